@@ -189,6 +189,7 @@ impl Question {
     /// # Errors
     /// If it has none, or not those that are asked for.
     pub fn ask(&self, subject: &Subject, host: &dyn Host) -> Result<Answer<Requirements>, Error> {
+        subject.note_on_pairs(host);
         let file = subject.model("requirements are the model's")?;
         let model = chosen(file, &self.requirement, host)?;
         let progress = host.begin(&model.mechanism.name);

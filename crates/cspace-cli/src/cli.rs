@@ -86,7 +86,7 @@ pub(crate) enum Command {
     Disassemble(command::disassemble::DisassembleArgs),
     /// Report the smallest gap of every two parts, or what overlaps
     Clearance(command::clearance::ClearanceArgs),
-    /// List the operating modes of three parts on axes
+    /// List the operating modes of three parts or more on axes
     Modes(command::modes::ModesArgs),
     /// Measure the requirements of the design, and report which are met
     Check(command::check::CheckArgs),

@@ -47,10 +47,11 @@ struct Passed {
     is_passed: Vec<bool>,
 }
 
-/// Labels lines, arcs and convex vertices, the longest first, where a label lies on no other and on no outline.
+/// Labels lines, arcs and convex vertices at a height, or all, the longest first, where a label lies on no other and on no outline.
 pub(crate) fn label(
     items: &mut Vec<Item>,
     parts: &[PlacedPart<'_>],
+    height: Option<f64>,
     plot: &Plot,
     placed: &mut Placed,
 ) -> Fitting {
@@ -59,7 +60,10 @@ pub(crate) fn label(
     let em = plot.em;
     let size = SIZE * em;
     let passed = Passed::of(parts, plot);
-    let mut all: Vec<Labelled> = parts.iter().flat_map(|p| features(p, plot)).collect();
+    let mut all: Vec<Labelled> = parts
+        .iter()
+        .flat_map(|p| features(p, height, plot))
+        .collect();
     all.sort_by(|a, b| b.length.total_cmp(&a.length));
     let mut left_out = 0;
     for feature in &all {
@@ -84,7 +88,11 @@ pub(crate) fn label(
 }
 
 /// The features of a part that are in the picture.
-fn features<'a>(p: &'a PlacedPart<'_>, plot: &'a Plot) -> impl Iterator<Item = Labelled> + 'a {
+fn features<'a>(
+    p: &'a PlacedPart<'_>,
+    height: Option<f64>,
+    plot: &'a Plot,
+) -> impl Iterator<Item = Labelled> + 'a {
     /// A corner that turns by less, in radians, is not seen as one.
     const SEEN: f64 = 0.05;
     let colour = colours(p.number).1;
@@ -105,6 +113,7 @@ fn features<'a>(p: &'a PlacedPart<'_>, plot: &'a Plot) -> impl Iterator<Item = L
         .loops()
         .iter()
         .enumerate()
+        .filter(move |&(l, _)| height.is_none_or(|z| p.part.bounds_at(l, z)))
         .flat_map(move |(l, ring)| {
             let edges: Vec<Edge> = ring.edges().collect();
             let n = edges.len();

@@ -11,9 +11,30 @@ pub(crate) fn of_part(part: &Part, assembly_from_part: Configuration, plot: &Plo
     of_loops(part.loops(), assembly_from_part, plot)
 }
 
-/// The layers of a part where it is placed, the lowest first, each with how high it is in the stack: from 0 of the lowest to 1.
+/// The loops that a part has at a height, where it is placed; all without a height.
+pub(crate) fn at_height(
+    part: &Part,
+    height: Option<f64>,
+    assembly_from_part: Configuration,
+    plot: &Plot,
+) -> Path {
+    let mut path = Path::new();
+    for layer in part.layers().iter().filter(|l| is_at(l, height)) {
+        let loops = &part.loops()[layer.loops()];
+        path.steps
+            .extend(of_loops(loops, assembly_from_part, plot).steps);
+    }
+    path
+}
+
+fn is_at(layer: &Layer, height: Option<f64>) -> bool {
+    height.is_none_or(|z| layer.is_at(z))
+}
+
+/// The layers of a part at a height, or all, where it is placed, the lowest first, each with how high it is in the stack: from 0 of the lowest to 1.
 pub(crate) fn of_layers(
     part: &Part,
+    height: Option<f64>,
     assembly_from_part: Configuration,
     plot: &Plot,
 ) -> Vec<(f64, Path)> {
@@ -24,6 +45,7 @@ pub(crate) fn of_layers(
     let path = |layer: &Layer| of_loops(&part.loops()[layer.loops()], assembly_from_part, plot);
     let numbered = layers.into_iter().enumerate();
     numbered
+        .filter(|(_, layer)| is_at(layer, height))
         .map(|(i, layer)| (i as f64 / most, path(layer)))
         .collect()
 }

@@ -9,7 +9,7 @@ use crate::feature_labels::{self, Fitting};
 use crate::labels::Placed;
 use crate::legend::{Legend, Sign};
 use crate::options::{Labels, PictureOptions};
-use crate::outline::{extent, of_edges, of_layers, of_part, place, points, with_margin};
+use crate::outline::{at_height, extent, of_edges, of_layers, of_part, place, points, with_margin};
 use crate::page::Page;
 use crate::placed_part::PlacedPart;
 use crate::plot::{AxisLabel, Plot};
@@ -52,6 +52,8 @@ pub struct PartsPicture<'a> {
     pub joints: Vec<JointEntry>,
     /// Contacts of the parts.
     pub contacts: Vec<ContactMark>,
+    /// The height, in the model's unit of length, at which parts are drawn: layers elsewhere are thin outlines. `None` is all heights.
+    pub height: Option<f64>,
     /// Whether the parts are those of a drawing, which has no motions.
     pub is_drawing: bool,
     /// Paths of a drawing that are in no part, in red.
@@ -179,21 +181,26 @@ pub(crate) fn draw(
 ) -> Option<Fitting> {
     let em = plot.em;
     let path = |p: &PlacedPart<'_>| of_part(p.part, p.assembly_from_part, plot);
-    for p in &picture.swept {
+    let elsewhere = picture.height.map(|_| &picture.parts);
+    for p in picture.swept.iter().chain(elsewhere.into_iter().flatten()) {
         let colour = colours(p.number).1;
         items.push(Item::drawn(path(p), colour, 0.04 * em));
     }
     for p in &picture.parts {
         // Higher layers are darker.
-        for (height, path) in of_layers(p.part, p.assembly_from_part, plot) {
+        for (height, path) in of_layers(p.part, picture.height, p.assembly_from_part, plot) {
             let (fill, line) = colours(p.number);
             items.push(Item::filled(path, fill.towards(line, DARKER * height)));
         }
     }
+    let is_there = |p: &PlacedPart<'_>| {
+        let mut layers = p.part.layers().iter();
+        picture.height.is_none_or(|z| layers.any(|l| l.is_at(z)))
+    };
     // All outlines on top of all insides, so that parts that overlap are both seen.
-    for p in &picture.parts {
+    for p in picture.parts.iter().filter(|p| is_there(p)) {
         items.push(Item::Shape {
-            path: path(p),
+            path: at_height(p.part, picture.height, p.assembly_from_part, plot),
             fill: None,
             stroke: Some(Stroke {
                 colour: colours(p.number).1,
@@ -231,6 +238,9 @@ pub(crate) fn draw(
         return None;
     }
     for (k, p) in picture.parts.iter().enumerate() {
+        if !is_there(p) {
+            continue;
+        }
         let places = inside(p, &picture.parts[k + 1..], plot);
         let colour = colours(p.number).1;
         placed.put_in(items, p.part.name(), 1.1 * em, colour, places);
@@ -238,11 +248,11 @@ pub(crate) fn draw(
     if labels == Labels::All {
         let mut numbers = Placed::new(plot.area, false);
         for p in &picture.parts {
-            number_vertices(items, p, plot, &mut numbers);
+            number_vertices(items, p, picture.height, plot, &mut numbers);
         }
     }
     (labels == Labels::Features)
-        .then(|| feature_labels::label(items, &picture.parts, plot, &mut placed))
+        .then(|| feature_labels::label(items, &picture.parts, picture.height, plot, &mut placed))
 }
 
 /// Places for a part's name, the best first: far inside and under no part drawn later, else beside.
@@ -355,7 +365,6 @@ fn joint_sign(items: &mut Vec<Item>, joint: &Joint, plot: &Plot) {
     match *joint {
         Joint::Revolute { at } => pivot(items, place(plot, at), em),
         Joint::Prismatic { direction, at } => slide(items, place(plot, at), direction, em),
-        Joint::Rigid => {}
     }
 }
 
@@ -411,11 +420,20 @@ fn faults(items: &mut Vec<Item>, picture: &PartsPicture<'_>, plot: &Plot, placed
 }
 
 /// Vertices by loop and index, beside the corner where there is room.
-fn number_vertices(items: &mut Vec<Item>, p: &PlacedPart<'_>, plot: &Plot, placed: &mut Placed) {
+fn number_vertices(
+    items: &mut Vec<Item>,
+    p: &PlacedPart<'_>,
+    height: Option<f64>,
+    plot: &Plot,
+    placed: &mut Placed,
+) {
     let em = plot.em;
     let size = 0.75 * em;
     let mut signs = Path::new();
     for (l, loop_) in p.part.loops().iter().enumerate() {
+        if height.is_some_and(|z| !p.part.bounds_at(l, z)) {
+            continue;
+        }
         for (i, v) in loop_.vertices().iter().enumerate() {
             let at = place(plot, p.assembly_from_part.fixed_from_moving(v.point()));
             signs.steps.extend(Path::circle(at, 0.16 * em).steps);

@@ -24,9 +24,10 @@ pub use angle::parse_angle;
 pub use cspace::LARGEST_ANGLE;
 pub use file::{Host, Refused};
 pub use mechanism::{
-    Compute, Drive, DriveMotion, Dynamics, DynamicsError, DynamicsFault, DynamicsItem, JointEntry,
-    Load, LoadKind, Mass, MassProperties, Mechanism, MechanismError, PairEntry, PairSurface,
-    PartDynamics, PartEntry, PartPosition, PartVelocity, Spring, SpringKind, compute_anew,
+    BodyError, Compute, Drive, DriveMotion, Dynamics, DynamicsError, DynamicsFault, DynamicsItem,
+    JointEntry, Load, LoadKind, Mass, MassProperties, Mechanism, MechanismError, Member, PairEntry,
+    PairSurface, PartDynamics, PartEntry, PartPosition, PartVelocity, Spring, SpringKind,
+    compute_anew,
 };
 pub use model::{Model, ModelError};
 pub use saved::{Document, SavedFile, read, read_from, read_from_hosted, read_hosted};

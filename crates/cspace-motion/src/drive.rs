@@ -1,5 +1,6 @@
 //! Prescribed motions: where a driven part is at a time, how fast, and how its rate changes.
 
+use cspace::{Ball, Real};
 use cspace_model::{Drive, DriveMotion};
 
 /// A coordinate and its derivatives at a time.
@@ -97,6 +98,36 @@ impl DriveCurve {
                     (Some(a), None) => still(a.value),
                     (None, first) => still(first.map_or(0.0, |k| k.value)),
                 }
+            }
+        }
+    }
+
+    /// Enclosures of value, rate and acceleration over an interval of time with no corner within.
+    pub(crate) fn over(&self, [lo, hi]: [f64; 2]) -> [Ball; 3] {
+        let time = Ball::between(lo, hi);
+        let still = |value| [value, 0.0, 0.0].map(Ball::constant);
+        match &self.shape {
+            Shape::Even { start, rate } => {
+                let rate = Ball::constant(*rate);
+                let value = Ball::constant(*start) + rate * time;
+                [value, rate, Ball::constant(0.0)]
+            }
+            Shape::Spline(knots) => {
+                let after = knots.partition_point(|k| k.time <= 0.5 * (lo + hi));
+                let (Some(a), Some(b)) = (after.checked_sub(1).map(|i| knots[i]), knots.get(after))
+                else {
+                    return still(self.at(0.5 * (lo + hi)).value);
+                };
+                // The acceleration is linear, so that its ends bound it, and by it rate and value.
+                let middle = between(a, *b, 0.5 * (lo + hi));
+                let far = time - Ball::constant(0.5 * (lo + hi));
+                let ends = [lo, hi].map(|t| between(a, *b, t).acceleration);
+                let bend = Ball::between(ends[0].min(ends[1]), ends[0].max(ends[1]));
+                let rate = Ball::constant(middle.rate) + bend * far;
+                let value = Ball::constant(middle.value) + rate * far;
+                // Terms of the cubic are as large as its points.
+                let slack = 8.0 * f64::EPSILON * a.value.abs().max(b.value.abs());
+                [value + Ball::new(0.0, slack), rate, bend]
             }
         }
     }

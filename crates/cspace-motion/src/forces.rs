@@ -33,7 +33,6 @@ pub(crate) fn joint_forces(system: &System, q: &[f64], multipliers: &[f64]) -> V
             // The first part's constraint force is the multiplier along the direction, the second's its opposite.
             let (force, torque) = match entry.joint {
                 Joint::Revolute { .. } => ([-next(), -next()], 0.0),
-                Joint::Rigid => ([-next(), -next()], next() * system.size()),
                 Joint::Prismatic { direction, .. } => {
                     let n = direction.unit().left();
                     let [x, y] = system.placement(a, q).vector([n.x, n.y]);

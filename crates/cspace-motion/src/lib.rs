@@ -59,6 +59,7 @@
 
 mod assemble;
 mod contact;
+pub mod cycle;
 mod dormand_prince;
 mod drive;
 pub mod dynamic;

@@ -88,6 +88,15 @@ pub struct Pairs {
 }
 
 impl Pairs {
+    /// No pairs.
+    pub(crate) fn none() -> Self {
+        Self {
+            list: Vec::new(),
+            apart: Vec::new(),
+            left_out: Vec::new(),
+        }
+    }
+
     /// Computes the spaces of all pairs of a mechanism that are not connected by a joint, each once, in parallel. Pairs
     /// whose parts never meet are left out, and so are pairs whose parts both stand still.
     ///

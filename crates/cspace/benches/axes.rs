@@ -31,7 +31,6 @@ fn main() {
     for (name, joint) in [
         ("revolute joint", Joint::Revolute { at }),
         ("prismatic joint", Joint::Prismatic { direction, at }),
-        ("rigid joint", Joint::Rigid),
     ] {
         if wanted(name) {
             lower(name, joint);

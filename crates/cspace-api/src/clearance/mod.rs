@@ -1,8 +1,9 @@
-//! The smallest gap of every two parts, or what overlaps: over all motions that their ranges allow, as drawn, or over a motion.
+//! The smallest gap of every two parts, or what overlaps: over all motions that their ranges allow, over a cycle of drives, as drawn, or over a
+//! motion.
 
+mod cycle;
 mod order;
 mod ranges;
-mod still;
 
 use std::collections::BTreeMap;
 use std::time::Instant;
@@ -36,7 +37,7 @@ pub struct Question {
     /// This pair alone: names of its two parts, with a comma between.
     #[cfg_attr(feature = "command", arg(long, value_name = "FIRST,SECOND"))]
     pub pair: Option<String>,
-    /// All pairs as drawn, in place of over the ranges of their parts.
+    /// All pairs as drawn, in place of over the ranges of their parts and the cycles of drives.
     #[cfg_attr(feature = "command", arg(long))]
     pub drawn: bool,
     /// List pairs nearer than this, in the model's unit, and count the others [default: all; of more than 200 parts, or 500 pairs over their
@@ -125,8 +126,8 @@ pub struct Clearance {
     pub over: Over,
     /// The least distance, in the model's unit; 0 of boundaries that meet, none of parts that overlap or are joined.
     pub gap: Option<f64>,
-    /// Over their ranges, of parts that are clear: no configuration has a smaller distance than this, which is a billionth less than the gap,
-    /// or 10⁻¹⁰ of the parts' size if that is more; 0 where it could not be proved.
+    /// Over their ranges and over a cycle, of parts that are clear: no configuration has a smaller distance than this, which is a billionth less
+    /// than the gap, or 10⁻¹⁰ of the parts' size if that is more; less where no more was proved, 0 where nothing was.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub least: Option<f64>,
     /// The length of the shortest translation of the second part that separates parts that overlap; none of others, and of parts with too many
@@ -160,6 +161,44 @@ pub struct Clearance {
     /// that play is passed on two sides.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub backlash: Option<Backlash>,
+    /// Over a cycle, what that is and how far the parts go through it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub cycle: Option<Cycle>,
+}
+
+/// One cycle of the drives that move two parts.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct Cycle {
+    /// Its first and last time (s).
+    pub times: [f64; 2],
+    /// Driven parts that turn round, with the number of their turns.
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    pub turns: BTreeMap<String, u32>,
+    /// The time up to which the parts go (s): the last, unless something halts them.
+    pub reached: f64,
+    /// Reason why they go no farther.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub halt: Option<Halt>,
+    /// Where the driven parts are at the time that is told: angles (rad), or lengths in the model's unit.
+    pub drives: BTreeMap<String, f64>,
+    /// Where the drives are when the parts are halted.
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    pub halted: BTreeMap<String, f64>,
+    /// Configurations (x, y, θ) of the two parts at that time.
+    pub poses: [[f64; 3]; 2],
+    /// Driven parts that turn.
+    #[serde(skip)]
+    pub angles: Vec<String>,
+}
+
+/// Reason why parts do not go through the whole cycle.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Halt {
+    /// Joints do not determine where parts go from there, or let them go nowhere.
+    DeadPoint,
+    /// A part comes to the end of its range.
+    Range(String),
 }
 
 /// When or where something is.
@@ -221,6 +260,8 @@ pub enum Over {
     Drawn,
     /// Motions of a record.
     Record,
+    /// One cycle of the drives that move the parts through joints.
+    Cycle,
 }
 
 impl Question {
@@ -250,7 +291,7 @@ impl Question {
                 rows(model, Over::Drawn, &assembly.drawn(&limits))
             }
             None => {
-                still::tell(model, host);
+                subject.note_on_pairs(host);
                 ranges::rows(subject, model, &assembly, &limits, host)?
             }
         };
@@ -350,6 +391,7 @@ impl Clearance {
             stopped: Vec::new(),
             ratio: None,
             backlash: None,
+            cycle: None,
         }
     }
 }

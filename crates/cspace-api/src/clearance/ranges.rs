@@ -1,4 +1,4 @@
-//! Two parts on axes over all motions that their ranges allow.
+//! All pairs of a model: linkages over a cycle, two parts on axes over all motions that their ranges allow, others as drawn.
 
 use std::collections::BTreeMap;
 
@@ -12,9 +12,11 @@ use crate::frame::PairAnswer;
 use crate::host::{Host, is_interrupted, spaces};
 use crate::subject::{Subject, Which};
 
-use super::{At, Backlash, Clearance, End, Outcome, Over, Row, Stopped, numbers, order, row};
+use super::{
+    At, Backlash, Clearance, End, Outcome, Over, Row, Stopped, cycle, numbers, order, row,
+};
 
-/// All pairs that are asked about, those on axes over their ranges and others as drawn, and how many are farther apart than was asked for.
+/// All pairs that are asked about, those of linkages over a cycle, those on axes over their ranges and others as drawn, and how many are farther apart than was asked for.
 pub(super) fn rows(
     subject: &Subject,
     model: &Mechanism,
@@ -23,16 +25,23 @@ pub(super) fn rows(
     host: &dyn Host,
 ) -> Result<(Vec<Row>, usize), Error> {
     let pairs = Pairs::of(model);
-    let on_axes = |pair: [usize; 2]| pairs.has(pair);
-    let drawn = assembly.drawn_but(limits, on_axes);
+    let linkages = cycle::rows(subject, model, assembly, limits, host)?;
+    let on_axes = |pair: [usize; 2]| pairs.has(pair) && !linkages.has(pair);
+    let drawn = assembly.drawn_but(limits, |pair| on_axes(pair) || linkages.has(pair));
     let (mut found, mut beyond) = super::rows(model, Over::Drawn, &drawn);
+    beyond += linkages.beyond;
     let (asked, count) = match limits.pair {
         Some(pair) => {
             let asked: Vec<_> = Some(pair).into_iter().filter(|&p| on_axes(p)).collect();
             let count = asked.len();
             (asked, count)
         }
-        None => (pairs.near(limits.within), pairs.count()),
+        None => {
+            let mut near = pairs.near(limits.within);
+            near.retain(|&pair| on_axes(pair));
+            let both = linkages.pairs().filter(|&pair| pairs.has(pair)).count();
+            (near, pairs.count() - both)
+        }
     };
     beyond += count - asked.len();
     for pair in asked {
@@ -41,6 +50,7 @@ pub(super) fn rows(
             None => beyond += 1,
         }
     }
+    found.extend(linkages.rows);
     order::sort(&mut found);
     Ok((found, beyond))
 }

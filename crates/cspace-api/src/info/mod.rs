@@ -86,8 +86,7 @@ pub struct JointInfo {
     /// The names of the parts.
     pub parts: [String; 2],
     /// The point that both parts turn about, or a point of the line of sliding.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub at: Option<[f64; 2]>,
+    pub at: [f64; 2],
     /// The direction of a slide.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub direction: Option<[f64; 2]>,
@@ -101,8 +100,6 @@ pub enum JointKind {
     Revolute,
     /// The parts slide along each other.
     Prismatic,
-    /// The parts are rigidly connected.
-    Rigid,
 }
 
 impl JointKind {
@@ -111,7 +108,6 @@ impl JointKind {
         match self {
             Self::Revolute => "revolute",
             Self::Prismatic => "prismatic",
-            Self::Rigid => "rigid",
         }
     }
 }
@@ -162,7 +158,7 @@ impl Info {
                     unit: model.unit.clone(),
                     parameters: parameters.iter().map(Parameter::of).collect(),
                     parts: (model.parts.iter().enumerate())
-                        .map(|(i, p)| PartInfo::of(&p.part, p.axis, Dynamics::of(model, i)))
+                        .map(|(i, p)| PartInfo::of_entry(p, Dynamics::of(model, i)))
                         .collect(),
                     joints: (model.joints.iter())
                         .map(|j| JointInfo::of(j.joint, [part(j.parts.0), part(j.parts.1)]))
@@ -242,14 +238,13 @@ impl PairInfo {
 impl JointInfo {
     fn of(joint: Joint, parts: [&Part; 2]) -> Self {
         let (kind, at, direction) = match joint {
-            Joint::Revolute { at } => (JointKind::Revolute, Some(at), None),
-            Joint::Prismatic { direction, at } => (JointKind::Prismatic, Some(at), Some(direction)),
-            Joint::Rigid => (JointKind::Rigid, None, None),
+            Joint::Revolute { at } => (JointKind::Revolute, at, None),
+            Joint::Prismatic { direction, at } => (JointKind::Prismatic, at, Some(direction)),
         };
         Self {
             kind,
             parts: parts.map(|p| p.name().to_owned()),
-            at: at.map(|p| [p.x, p.y]),
+            at: [at.x, at.y],
             direction: direction.map(|d| [d.x, d.y]),
         }
     }

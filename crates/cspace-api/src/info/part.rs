@@ -3,6 +3,7 @@
 use core::f64::consts::PI;
 
 use cspace::{Axis, AxisMotion, Edge, Part};
+use cspace_model::PartEntry;
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -35,6 +36,9 @@ pub struct PartInfo {
     /// Its layers, if it has heights.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub layers: Vec<LayerInfo>,
+    /// The parts of the file that it is made of, if they are joined rigidly.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub members: Vec<MemberInfo>,
     /// How it moves relative to the ground.
     pub motion: Motion,
     /// Mass properties and initial state.
@@ -44,6 +48,15 @@ pub struct PartInfo {
     pub symmetry: u32,
     /// Whether every rotation about its own centre maps it to itself.
     pub round: bool,
+}
+
+/// A part of the file that is joined rigidly to others.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
+pub struct MemberInfo {
+    /// Its name, which stands for all of them.
+    pub name: String,
+    /// The numbers of its first and its last loop.
+    pub loops: [usize; 2],
 }
 
 /// A layer of a part.
@@ -97,6 +110,25 @@ pub enum Motion {
 }
 
 impl PartInfo {
+    /// A part of a model.
+    pub(super) fn of_entry(entry: &PartEntry, dynamics: Dynamics) -> Self {
+        let mut before = 0;
+        let member = |part: &Part| {
+            let first = before;
+            before += part.loops().len();
+            MemberInfo {
+                name: part.name().to_owned(),
+                loops: [first, before - 1],
+            }
+        };
+        let drawn = entry.drawn();
+        let members = drawn.iter().filter(|_| drawn.len() > 1).map(member);
+        Self {
+            members: members.collect(),
+            ..Self::of(&entry.part, entry.axis, dynamics)
+        }
+    }
+
     pub(super) fn of(part: &Part, axis: Option<Axis>, dynamics: Dynamics) -> Self {
         let symmetry = part.symmetry();
         let bounds = part.bounds();
@@ -120,6 +152,7 @@ impl PartInfo {
             concave_arcs: arcs().count() - convex,
             radii: least.is_finite().then_some((least, greatest)),
             layers: layers(part),
+            members: Vec::new(),
             motion: axis.map_or(Motion::Planar, Motion::of),
             dynamics,
             symmetry: symmetry.fold(),

@@ -1,8 +1,10 @@
-//! The operating modes of three parts, and where a configuration of them is.
+//! The operating modes of parts on axes, and where a configuration of them is.
 
-use cspace::AxisMotion;
+use cspace::{Axis, AxisMotion};
 use cspace_model::Mechanism;
-use cspace_plan::modes::{ModePlace, Modes, PAIRS};
+use cspace_plan::modes::{
+    ModePlace, Modes, ModesError, TreeMode, TreeModes, TrioPair, coordinate_name,
+};
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -19,23 +21,24 @@ outcomes! {
     Outcome {
         /// The modes are known.
         Done = "done" is Yes,
-        /// There is none: no configuration of the three parts is free.
+        /// There is none: no configuration of the parts is free.
         Blocked = "blocked" is No,
     }
 }
 
-/// The operating modes of three parts on axes.
+/// The operating modes of three parts or more on axes.
 #[derive(Debug, Serialize, JsonSchema)]
 pub struct OperatingModes {
-    /// The three parts, whose coordinates are u, v and w.
-    pub parts: [Part; 3],
-    /// The pairs of u and v, of v and w, of u and w.
-    pub pairs: [Pair; 3],
+    /// The parts, whose coordinates are u, v, w, and of those after the third q4, q5 and so on.
+    #[schemars(length(min = 3))]
+    pub parts: Vec<Part>,
+    /// Pairs of the parts: of three parts those of u and v, of v and w, of u and w; of more those that the model has.
+    pub pairs: Vec<Pair>,
     /// The modes: connected components of the free configurations.
     pub modes: Vec<Mode>,
     /// The configuration that is asked about.
     pub requested: Requested,
-    /// Pairs of the model of one of the three parts and another part, which are not considered.
+    /// Pairs of the model of one of the parts and another part, which are not considered.
     pub left_out: Vec<[String; 2]>,
     /// The number of places at which contacts coincide but for rounding; if there are any, the modes are not to be relied upon.
     pub doubts: usize,
@@ -43,42 +46,113 @@ pub struct OperatingModes {
     pub seconds: f64,
     /// The modes as they were computed.
     #[serde(skip)]
-    pub found: Modes,
+    pub found: Found,
 }
 
-/// Name of a coordinate of the three parts.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
-#[serde(rename_all = "lowercase")]
-pub enum Letter {
-    /// Coordinate of the first part.
-    U,
-    /// Coordinate of the second part.
-    V,
-    /// Coordinate of the third part.
-    W,
+/// The modes as they were computed.
+#[derive(Debug)]
+pub enum Found {
+    /// Modes of three parts, each of which may touch both others.
+    Three(Box<Modes>),
+    /// Modes of more parts, whose contacts make a tree.
+    Tree(Box<TreeModes>),
 }
 
-impl Letter {
-    /// All, in order.
-    pub const ALL: [Self; 3] = [Self::U, Self::V, Self::W];
+impl Found {
+    /// Computes the modes of three parts or more.
+    ///
+    /// # Errors
+    /// As [`Modes::compute`] and [`TreeModes::compute`].
+    pub fn compute(model: &Mechanism, parts: &[usize]) -> Result<Self, ModesError> {
+        Ok(match <[usize; 3]>::try_from(parts) {
+            Ok(three) => Self::Three(Box::new(Modes::compute(model, three)?)),
+            Err(_) => Self::Tree(Box::new(TreeModes::compute(model, parts)?)),
+        })
+    }
 
-    /// The letter.
-    pub const fn name(self) -> &'static str {
+    /// Finds the mode of a configuration; radians or the model's unit of length.
+    ///
+    /// # Errors
+    /// If it is not finite, or has another number of coordinates than there are parts.
+    pub fn locate(&self, at: &[f64]) -> Result<ModePlace, ModesError> {
         match self {
-            Self::U => "u",
-            Self::V => "v",
-            Self::W => "w",
+            Self::Three(modes) => match <[f64; 3]>::try_from(at) {
+                Ok(at) => modes.locate(at),
+                Err(_) => Err(ModesError::Coordinates {
+                    given: at.len(),
+                    parts: 3,
+                }),
+            },
+            Self::Tree(modes) => modes.locate(at),
+        }
+    }
+
+    /// The parts' indices in the mechanism.
+    pub fn parts(&self) -> Vec<usize> {
+        match self {
+            Self::Three(modes) => modes.parts().to_vec(),
+            Self::Tree(modes) => modes.parts().to_vec(),
+        }
+    }
+
+    /// The names of the parts.
+    pub fn names(&self) -> &[String] {
+        match self {
+            Self::Three(modes) => modes.names(),
+            Self::Tree(modes) => modes.names(),
+        }
+    }
+
+    /// The axes of the parts.
+    pub fn axes(&self) -> &[Axis] {
+        match self {
+            Self::Three(modes) => modes.axes(),
+            Self::Tree(modes) => modes.axes(),
+        }
+    }
+
+    /// The pairs.
+    pub fn pairs(&self) -> &[TrioPair] {
+        match self {
+            Self::Three(modes) => modes.pairs(),
+            Self::Tree(modes) => modes.pairs(),
+        }
+    }
+
+    /// The modes.
+    pub fn list(&self) -> Vec<TreeMode> {
+        match self {
+            Self::Three(modes) => modes.list().iter().map(whole).collect(),
+            Self::Tree(modes) => modes.list().to_vec(),
+        }
+    }
+
+    fn doubts(&self) -> usize {
+        match self {
+            Self::Three(modes) => modes.doubts(),
+            Self::Tree(modes) => modes.doubts(),
         }
     }
 }
 
-/// One of the three parts.
+/// A mode of three parts as one of any number.
+fn whole(mode: &cspace_plan::modes::Mode) -> TreeMode {
+    TreeMode {
+        sample: mode.sample.to_vec(),
+        ranges: mode.ranges.to_vec(),
+        open: mode.open.to_vec(),
+        turns: mode.turns.iter().map(|t| t.to_vec()).collect(),
+    }
+}
+
+/// One of the parts.
 #[derive(Debug, Serialize, JsonSchema)]
 pub struct Part {
     /// Its name.
     pub name: String,
     /// Name of its coordinate.
-    pub coordinate: Letter,
+    #[schemars(regex(pattern = "^(u|v|w|q[1-9][0-9]*)$"))]
+    pub coordinate: String,
     /// How it moves.
     pub motion: Motion,
     /// Minimum and maximum coordinate, in radians or the model's unit; none without limits.
@@ -95,7 +169,7 @@ pub enum Motion {
     Prismatic,
 }
 
-/// Two of the three parts.
+/// Two of the parts.
 #[derive(Debug, Serialize, JsonSchema)]
 pub struct Pair {
     /// The fixed part's name.
@@ -103,7 +177,7 @@ pub struct Pair {
     /// The moving part's name.
     pub moving: String,
     /// The coordinates of the fixed and of the moving part.
-    pub coordinates: [Letter; 2],
+    pub coordinates: [String; 2],
     /// Whether the model has the pair; one that it does not have constrains nothing.
     pub listed: bool,
     /// The number of contact patches of the pair's space.
@@ -121,10 +195,13 @@ pub struct Mode {
     pub v: Reach,
     /// Range of w that the mode reaches.
     pub w: Reach,
-    /// The turns of u, v and w by which motions within the mode come back to where they began: all are sums of whole multiples of these.
-    pub turns: Vec<[i64; 3]>,
+    /// Ranges of the coordinates of the fourth part and those after it, if there are such.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub more: Vec<Reach>,
+    /// The turns of all coordinates by which motions within the mode come back to where they began: all are sums of whole multiples of these.
+    pub turns: Vec<Vec<i64>>,
     /// A configuration in the mode.
-    pub sample: ThreeCoordinates,
+    pub sample: PartCoordinates,
 }
 
 /// Range of a coordinate that a mode reaches, in radians or the model's unit.
@@ -138,22 +215,25 @@ pub struct Reach {
     pub around: bool,
 }
 
-/// A configuration of the three parts, in radians or the model's unit.
-#[derive(Debug, Clone, Copy, Serialize, JsonSchema)]
-pub struct ThreeCoordinates {
+/// A configuration of the parts, in radians or the model's unit.
+#[derive(Debug, Clone, Serialize, JsonSchema)]
+pub struct PartCoordinates {
     /// Motion of the first part.
     pub u: f64,
     /// Motion of the second part.
     pub v: f64,
     /// Motion of the third part.
     pub w: f64,
+    /// Motions of the fourth part and those after it, if there are such.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub more: Vec<f64>,
 }
 
 /// Where the configuration is that is asked about.
 #[derive(Debug, Serialize, JsonSchema)]
 pub struct Requested {
     /// The configuration.
-    pub at: ThreeCoordinates,
+    pub at: PartCoordinates,
     /// How the parts are there.
     pub result: Is,
     /// The number of the mode, from 0, in the order of `modes`; none if it is in none.
@@ -166,7 +246,7 @@ pub struct Requested {
     pub place: ModePlace,
 }
 
-/// How three parts are at a configuration.
+/// How the parts are at a configuration.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Is {
@@ -182,32 +262,42 @@ pub enum Is {
     Closed,
 }
 
-impl From<[f64; 3]> for ThreeCoordinates {
-    fn from([u, v, w]: [f64; 3]) -> Self {
-        Self { u, v, w }
+impl PartCoordinates {
+    fn of(at: &[f64]) -> Self {
+        let one = |k: usize| at.get(k).copied().unwrap_or_default();
+        Self {
+            u: one(0),
+            v: one(1),
+            w: one(2),
+            more: at.iter().skip(3).copied().collect(),
+        }
     }
-}
 
-impl From<ThreeCoordinates> for [f64; 3] {
-    fn from(c: ThreeCoordinates) -> Self {
-        [c.u, c.v, c.w]
+    /// All, in the order of the parts.
+    pub fn all(&self) -> Vec<f64> {
+        [&[self.u, self.v, self.w], &self.more[..]].concat()
     }
 }
 
 impl OperatingModes {
-    /// The modes of three parts of a mechanism, and the place of a configuration among them, which took so many seconds to compute.
+    /// The modes of three parts or more of a mechanism, and the place of a configuration among them, which took so many seconds to
+    /// compute.
     pub fn of(
         model: &Mechanism,
-        found: Modes,
-        (at, place): ([f64; 3], ModePlace),
+        found: Found,
+        (at, place): (&[f64], ModePlace),
         seconds: f64,
     ) -> Self {
         Self {
-            parts: [0, 1, 2].map(|k| Part::of(&found, k)),
-            pairs: [0, 1, 2].map(|k| Pair::of(&found, k)),
+            parts: (0..found.axes().len())
+                .map(|k| Part::of(&found, k))
+                .collect(),
+            pairs: (found.pairs().iter())
+                .map(|pair| Pair::of(&found, pair))
+                .collect(),
             modes: found.list().iter().map(Mode::of).collect(),
             requested: Requested::of(&found, at, place),
-            left_out: left_out(model, found.parts()),
+            left_out: left_out(model, &found.parts()),
             doubts: found.doubts(),
             seconds,
             found,
@@ -216,11 +306,11 @@ impl OperatingModes {
 }
 
 impl Part {
-    fn of(found: &Modes, k: usize) -> Self {
+    fn of(found: &Found, k: usize) -> Self {
         let axis = found.axes()[k];
         Self {
             name: found.names()[k].clone(),
-            coordinate: Letter::ALL[k],
+            coordinate: coordinate_name(k),
             motion: match axis.motion {
                 AxisMotion::Prismatic { .. } => Motion::Prismatic,
                 _ => Motion::Revolute,
@@ -231,13 +321,12 @@ impl Part {
 }
 
 impl Pair {
-    fn of(found: &Modes, k: usize) -> Self {
-        let (names, pair) = (found.names(), &found.pairs()[k]);
-        let space = pair.space.as_ref();
+    fn of(found: &Found, pair: &TrioPair) -> Self {
+        let (names, space) = (found.names(), pair.space.as_ref());
         Self {
             fixed: names[pair.coordinates[0]].clone(),
             moving: names[pair.coordinates[1]].clone(),
-            coordinates: pair.coordinates.map(|c| Letter::ALL[c]),
+            coordinates: pair.coordinates.map(coordinate_name),
             listed: space.is_some(),
             patches: space.map_or(0, |s| s.patches().len()),
             free_regions: space.map_or(1, |s| s.regions().len()),
@@ -246,7 +335,7 @@ impl Pair {
 }
 
 impl Mode {
-    fn of(mode: &cspace_plan::modes::Mode) -> Self {
+    fn of(mode: &TreeMode) -> Self {
         let reach = |k: usize| Reach {
             lo: Some(mode.ranges[k].0).filter(|_| !mode.open[k].0 && !mode.around(k)),
             hi: Some(mode.ranges[k].1).filter(|_| !mode.open[k].1 && !mode.around(k)),
@@ -256,16 +345,22 @@ impl Mode {
             u: reach(0),
             v: reach(1),
             w: reach(2),
+            more: (3..mode.ranges.len()).map(reach).collect(),
             turns: mode.turns.clone(),
-            sample: mode.sample.into(),
+            sample: PartCoordinates::of(&mode.sample),
         }
     }
 }
 
 impl Requested {
-    fn of(found: &Modes, at: [f64; 3], place: ModePlace) -> Self {
+    fn of(found: &Found, at: &[f64], place: ModePlace) -> Self {
         let name = |k: usize| found.names()[k].clone();
-        let both = |pair: usize| PAIRS[pair].map(name).to_vec();
+        // Of three parts in their order, whichever is the pair's fixed one.
+        let both = |pair: usize| {
+            let mut of = found.pairs()[pair].coordinates;
+            of.sort_unstable();
+            of.map(name).to_vec()
+        };
         let (result, mode, between) = match place {
             ModePlace::Mode(mode) => (Is::Free, Some(mode), Vec::new()),
             ModePlace::Contact(pair) => (Is::Contact, None, both(pair)),
@@ -274,7 +369,7 @@ impl Requested {
             ModePlace::Closed => (Is::Closed, None, Vec::new()),
         };
         Self {
-            at: at.into(),
+            at: PartCoordinates::of(at),
             result,
             mode,
             between,
@@ -283,7 +378,7 @@ impl Requested {
     }
 }
 
-fn left_out(model: &Mechanism, parts: [usize; 3]) -> Vec<[String; 2]> {
+fn left_out(model: &Mechanism, parts: &[usize]) -> Vec<[String; 2]> {
     let is_one = |part: usize| parts.contains(&part);
     (model.pairs.iter())
         .filter(|p| is_one(p.fixed) != is_one(p.moving))

@@ -62,6 +62,19 @@ pub enum EditError {
         /// Reason why they are no part.
         error: PartError,
     },
+    /// A loop is added to a part of several layers, or removed.
+    #[error(
+        "part {index} {} has layers of {loops} loops together; give as many, in their order",
+        shown::quoted(name)
+    )]
+    Layers {
+        /// The part.
+        index: usize,
+        /// Name of the part.
+        name: String,
+        /// Number of its loops.
+        loops: usize,
+    },
     /// A part is shrunk to nothing.
     #[error("part {index} {}: nothing is left of it when it is shrunk by {}; shrink it by less", shown::quoted(name), shown::number(*by))]
     Nothing {
@@ -79,7 +92,7 @@ pub enum EditError {
 
 /// Copy of the mechanism with edited parts.
 ///
-/// Names of features are kept where loops have as many vertices as before and the part is not grown. A declared
+/// Parts of several layers, as bodies are, keep their layers: each loop is that of the same number. Names of features are kept where loops have as many vertices as before and the part is not grown. A declared
 /// symmetry that the part no longer has is removed. A joint with a part that does not move follows the pivot or the
 /// direction of the edited part.
 ///
@@ -117,7 +130,20 @@ fn replaced(old: &PartEntry, edit: &EditedPart) -> Result<PartEntry, EditError> 
         name: name.to_owned(),
         error,
     };
-    let drawn = Part::new(name, edit.loops.clone()).map_err(wrong)?;
+    // Of a part of one layer, loops may be added and removed.
+    let old_loops = old.part.loops().len();
+    let drawn = match old.part.has_heights() {
+        true if edit.loops.len() != old_loops => {
+            return Err(EditError::Layers {
+                index: edit.index,
+                name: name.to_owned(),
+                loops: old_loops,
+            });
+        }
+        true => old.part.redrawn(edit.loops.clone()),
+        false => Part::new(name, edit.loops.clone()),
+    };
+    let drawn = drawn.map_err(wrong)?;
     let part = if edit.offset > 0.0 {
         cspace_plan::grown(&drawn, edit.offset).map_err(wrong)?
     } else if edit.offset < 0.0 {

@@ -210,6 +210,7 @@ impl Opened {
                 mechanism: self.model.clone(),
                 parameters: Vec::new(),
                 requirements: Vec::new(),
+                on_pairs: Vec::new(),
             },
         };
         let known = self.model.parts.iter().map(|p| p.part.name());
@@ -353,7 +354,6 @@ fn axes(space: &PairSpace) -> [Option<Axis>; 2] {
             let axis = match pair.joint() {
                 Joint::Revolute { at } => Axis::revolute(at),
                 Joint::Prismatic { direction, .. } => Axis::prismatic(direction),
-                Joint::Rigid => return [None; 2],
             };
             match pair.limits() {
                 Some((lo, hi)) => [Some(Axis::FIXED), Some(axis.within(lo, hi))],

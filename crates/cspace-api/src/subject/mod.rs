@@ -257,6 +257,13 @@ impl Subject {
         }
     }
 
+    /// Notes of what should be known by who asks about pairs of a model.
+    pub(crate) fn note_on_pairs(&self, host: &dyn Host) {
+        if let Self::Model(file) = self {
+            file.model.on_pairs.iter().for_each(|note| host.note(note));
+        }
+    }
+
     /// The pairs asked for: the one that was named, or all of the file, of which there must be one.
     ///
     /// A window is for those that have orientations. It is an error only of a pair that was named to have none.
@@ -333,6 +340,7 @@ impl Subject {
                 }]);
             }
         };
+        self.note_on_pairs(host);
         let pairs = match &which.named.pair {
             Some(names) => vec![named_pair(path, model, names, host)?],
             None => model.pairs.clone(),

@@ -220,3 +220,37 @@ fn the_edited_model_is_a_file() {
         json!({ "index": 2, "loops": coin(1.0, 0.0)["loops"], "motion": { "type": "fixed" } });
     fails(opened.edited_text(&parts(&[planar])), &["joint 0"]);
 }
+
+/// Each loop of a body is that of the same number: a vertex that is dragged is its member's.
+#[test]
+fn loops_of_a_body_stay_those_of_its_members() {
+    let square = |x: f64, name: &str| Part::rectangle(name, (x, 0.0), 4.0, 4.0).unwrap();
+    let entry = |part| PartEntry::on(part, cspace::Axis::FIXED);
+    let mut model = Mechanism::new("body");
+    // The two overlap, so that together they are no outline.
+    let members = [square(0.0, "left"), square(3.0, "right")].map(entry);
+    model.parts.push(PartEntry::body(&members).unwrap());
+    let coin = Part::circle("coin", (0.0, 9.0), 1.0).unwrap();
+    model.parts.push(PartEntry::planar(coin));
+    model.pairs = model.every_two();
+    let corners = |part: &Part| -> Vec<Value> {
+        let vertices = part.loops()[0].vertices().iter();
+        vertices
+            .map(|v| json!({ "x": v.x, "y": v.y, "bulge": v.bulge }))
+            .collect()
+    };
+    let moved = square(3.5, "right");
+    let edit = |loops: Value| {
+        let edit = json!({ "index": 0, "loops": loops, "motion": { "type": "fixed" } });
+        let edit = serde_json::from_value(edit).unwrap();
+        cspace_api::scene::edited(&model, &[edit])
+    };
+    let left = corners(&members[0].part);
+    let edited = edit(json!([left, corners(&moved)])).unwrap();
+    assert_eq!(edited.parts[0].drawn(), [members[0].part.clone(), moved]);
+    let refused = edit(json!([left])).unwrap_err().to_string();
+    assert!(
+        refused.contains("left + right") && refused.contains("2 loops"),
+        "{refused}"
+    );
+}

@@ -88,11 +88,11 @@ export interface Place {
 }
 
 export interface SceneJoint {
-  type: "revolute" | "prismatic" | "rigid";
+  type: "revolute" | "prismatic";
   /** Indices of the two parts. */
   parts: [number, number];
-  /** Where it is, in the assembly's frame at zero motion; null where that has no meaning. */
-  at: Place | null;
+  /** Where it is, in the assembly's frame at zero motion. */
+  at: Place;
   direction: Place | null;
 }
 
@@ -150,6 +150,6 @@ export interface SceneRecord {
 
 /** What the page reads of the space of a lower pair. */
 export interface LowerSpace {
-  joint: { type: "revolute" | "prismatic" | "rigid"; at?: Place; direction?: Place };
+  joint: { type: "revolute" | "prismatic"; at?: Place; direction?: Place };
   limits: [number, number] | null;
 }

@@ -33,6 +33,7 @@ const state = (changes: Partial<State>): State =>
     stop: true,
     colouring: "region",
     cut: false,
+    height: null,
     hidden: new Set(),
     ...changes,
   }) as State;
@@ -52,14 +53,14 @@ describe("addresses", () => {
   });
 
   it("keep switches, and leave out what is as always", () => {
-    const text = writeAddress(state({ theme: "dark", stop: false, colouring: "kind", cut: true, hidden: new Set([2, 5]) }), [0.5, 1, 3, 0, 0, 0.25]);
-    const { theme, stop, colouring, cut, hidden, camera } = readAddress(text, scene);
-    assert.deepEqual({ theme, stop, colouring, cut, hidden, camera }, { theme: "dark", stop: false, colouring: "kind", cut: true, hidden: [2, 5], camera: [0.5, 1, 3, 0, 0, 0.25] });
-    for (const key of ["theme", "stop", "colours", "cut", "hidden", "camera"]) assert.ok(!writeAddress(state({}), null).includes(key));
+    const text = writeAddress(state({ theme: "dark", stop: false, colouring: "kind", cut: true, height: 2.5, hidden: new Set([2, 5]) }), [0.5, 1, 3, 0, 0, 0.25]);
+    const { theme, stop, colouring, cut, height, hidden, camera } = readAddress(text, scene);
+    assert.deepEqual({ theme, stop, colouring, cut, height, hidden, camera }, { theme: "dark", stop: false, colouring: "kind", cut: true, height: 2.5, hidden: [2, 5], camera: [0.5, 1, 3, 0, 0, 0.25] });
+    for (const key of ["theme", "stop", "colours", "cut", "height", "hidden", "camera"]) assert.ok(!writeAddress(state({}), null).includes(key));
   });
 
   it("leave out what they do not understand", () => {
-    const read = readAddress("#fixed=nobody&moving=peg&x=1&y=two&theta=3&theme=pink&stop=maybe&colours=&camera=1,2&hidden=-1,x&u=Infinity&v=0", scene);
+    const read = readAddress("#fixed=nobody&moving=peg&x=1&y=two&theta=3&theme=pink&stop=maybe&colours=&camera=1,2&hidden=-1,x&height=high&u=Infinity&v=0", scene);
     assert.deepEqual(read, {});
     for (const far of ["#x=1e300&y=1e300&theta=1e300", "#u=0&v=-1e13", "#camera=1e300,1,1e300,1e308,0,0", "#camera=0,1,0,0,0,0", "#camera=0,1,-2,0,0,0", "#x=1e999&y=0&theta=0"]) {
       assert.deepEqual(readAddress(far, scene), {}, far);

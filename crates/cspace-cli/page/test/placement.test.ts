@@ -61,7 +61,7 @@ describe("mechanisms", () => {
     ],
     joints: [
       { type: "revolute", parts: [2, 1], at: { x: 5, y: 0 }, direction: null },
-      { type: "rigid", parts: [1, 3], at: null, direction: null },
+      { type: "prismatic", parts: [1, 3], at: { x: 0, y: 0 }, direction: { x: 1, y: 0 } },
     ],
     pairs: [{ fixed: 0, moving: 1, class: "general" } as Scene["pairs"][number], { fixed: 0, moving: 2, class: "fixed-axes" } as Scene["pairs"][number]],
     records: [],

@@ -344,3 +344,57 @@ fn features_are_labelled_where_they_fit() {
     let plain = printed(&["draw", path.to_str().unwrap(), "-o", "-"]);
     assert!(!plain.contains("of loop"));
 }
+
+/// In the train, the first arbor is at 0 to 8, the third at 8 to 16, and the second has a layer at each.
+#[test]
+fn one_height_is_drawn_alone() {
+    let file = model("layers/compound_train");
+    let named = |of: &str, text: &str| text.contains(&format!(">{of} arbor</text>"));
+    for (z, first, third) in [
+        ("4", true, false),
+        ("8", false, true),
+        ("15.9", false, true),
+    ] {
+        let drawn = svg(&["draw", &file, "--height", z]);
+        assert!(named("second", &drawn), "{z}");
+        assert_eq!(named("first", &drawn), first, "{z}");
+        assert_eq!(named("third", &drawn), third, "{z}");
+    }
+    let all = svg(&["draw", &file]);
+    assert!(
+        ["first", "second", "third"]
+            .iter()
+            .all(|of| named(of, &all))
+    );
+    for z in ["16", "-1", "nan"] {
+        let command = cspace(&["draw", &file, "--height", z]);
+        fails(
+            command,
+            2,
+            &["no layer is there", "from 0 to less than 16 mm"],
+        );
+    }
+    let flat = cspace(&["draw", &model("knee"), "--height", "1"]);
+    fails(flat, 2, &["no part has any"]);
+    // Loops of the outlines alone: a gear, and a gear with a bore.
+    let loops = |more: &[&str]| {
+        let outlines = printed(&[&["draw", &file, "--outlines"], more].concat());
+        outlines.matches('M').count()
+    };
+    assert_eq!(loops(&["--height", "4"]), 3);
+    assert_eq!(loops(&["--height", "12"]), 3);
+    assert_eq!(loops(&[]), 6);
+}
+
+/// The lower follower lies on the lower cam: at the heights of the upper one nothing touches.
+#[test]
+fn contacts_are_those_of_the_height() {
+    let file = model("layers/cam_stack");
+    let at = ["draw", &file, "--pair", "shaft,lower follower", "--at"];
+    let touching = svg(&[&at[..], &["90deg,6"]].concat());
+    assert!(touching.contains(" touches "));
+    let lower = svg(&[&at[..], &["90deg,6", "--height", "4"]].concat());
+    assert!(lower.contains(" touches "));
+    let upper = svg(&[&at[..], &["90deg,6", "--height", "14"]].concat());
+    assert!(!upper.contains(" touches "));
+}

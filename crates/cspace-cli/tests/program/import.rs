@@ -492,7 +492,7 @@ fn usage_is_checked() {
     fails(
         cspace(&["import", &file, "--layer", "none"]),
         2,
-        &["no closed outline", "not asked for"],
+        &["there is no layer \"none\"", "Defpoints"],
     );
     fails(
         cspace(&["draw", &file, "-o", &out("a.dxf")]),

@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use crate::helpers::{cspace, fails, json, model, printed};
+use crate::helpers::{cspace, fails, json, json_beside_notes, model, printed};
 
 /// A lever on a pivot, a slide with limits and a ball, in mm.
 pub(crate) const MODEL: &str = r#"
@@ -229,7 +229,7 @@ fn spaces_do_not_depend_on_it() {
         .collect();
     let (_other, other) = in_file(&bare);
     let computed = |file: &str| {
-        let mut all = json(&["compute", file]);
+        let mut all = json_beside_notes(&["compute", file]);
         for pair in all.as_array_mut().unwrap() {
             pair.as_object_mut().unwrap().remove("seconds");
         }

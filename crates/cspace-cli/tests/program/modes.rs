@@ -181,7 +181,10 @@ fn what_has_no_modes_is_rejected_by_name() {
     fails(
         cspace(&["modes", &file]),
         2,
-        &["of such parts this model has 2: a, c"],
+        &[
+            "three parts or more",
+            "of such parts this model has 2: a, c",
+        ],
     );
     let named = |names: &str, words: &[&str]| {
         fails(cspace(&["modes", &file, "--parts", names]), 2, words);
@@ -197,7 +200,10 @@ fn what_has_no_modes_is_rejected_by_name() {
         &["no part \"x\"", "the parts that move on axes are a, c"],
     );
     named("a,c", &["three names are needed"]);
-    named("a,b,c,case", &["--parts names 4 parts"]);
+    named(
+        "a,b,c,case",
+        &["part \"b\" moves freely in the plane", "--parts A,B,C"],
+    );
     let joint = "[[joint]]\ntype = \"prismatic\"\ndirection = [1, 0]\nparts = [\"a\", \"b\"]\n";
     let (_three, file) = blocks([SLIDE; 3], joint);
     fails(
@@ -219,4 +225,91 @@ fn what_has_no_modes_is_rejected_by_name() {
     ] {
         fails(cspace(&["modes", &file, "--at", at]), 2, &words);
     }
+}
+
+/// How far the plug of the lock turns from where it is drawn, in degrees, with some parameters set.
+fn turned(settings: &[String]) -> f64 {
+    let lock = model("layers/pin_tumbler_lock");
+    let sets: Vec<String> = settings.iter().map(|s| format!("--set={s}")).collect();
+    // A note would say what is set.
+    let mut line = vec!["modes", &lock, "--quiet"];
+    line.extend(sets.iter().map(String::as_str));
+    let answer = json(&line);
+    assert_eq!(answer["doubts"], 0, "{settings:?}");
+    assert_eq!(answer["parts"][3]["coordinate"], "q4");
+    let mode = answer["requested"]["mode"].as_u64().unwrap();
+    let mode = &answer["modes"][mode as usize];
+    assert_eq!(mode["more"].as_array().unwrap().len(), 4);
+    mode["u"]["hi"].as_f64().unwrap().to_degrees()
+}
+
+#[test]
+fn a_lock_of_five_pins_opens_with_its_key_and_with_no_other() {
+    let key = [3, 1, 5, 2, 4];
+    let cut = |pin: usize, by: i32| format!("key{}={}", pin + 1, key[pin] + by);
+    let mut wrong: Vec<Vec<String>> = Vec::new();
+    for pin in 0..5 {
+        wrong.extend([-2, -1, 1, 2].map(|by| vec![cut(pin, by)]));
+        wrong.push(vec![cut(pin, 1), cut((pin + 1) % 5, -1)]);
+    }
+    let slots = ["slot1=11.8", "slot1=10.2", "slot2=13.8", "slot2=12.2"];
+    wrong.extend(slots.map(|slot| vec![slot.to_owned()]));
+    wrong.push(vec!["slot1=13".to_owned(), "slot2=11".to_owned()]);
+    assert_eq!(wrong.len(), 30);
+    assert!((turned(&[]) - 90.0).abs() < 1e-6);
+    for settings in wrong {
+        let far = turned(&settings);
+        let most = if settings[0].starts_with("slot") {
+            26.0
+        } else {
+            8.0
+        };
+        assert!(far < most, "{settings:?} turns it by {far}");
+    }
+    // Who lifts the driver pins opens it with cuts that are too deep, and not with one that is too shallow.
+    let picked = |key: &str| turned(&["lift=3".to_owned(), key.to_owned()]);
+    assert!((picked("key3=6") - 90.0).abs() < 1e-6);
+    assert!(picked("key3=4") < 8.0);
+}
+
+#[test]
+fn more_parts_than_three_are_told_and_refused_in_their_words() {
+    let lock = model("layers/pin_tumbler_lock");
+    let said = printed(&["modes", &lock]);
+    for line in [
+        "  u (plug) from -1.0000 deg, its limit, to 90.0000 deg, its limit\n",
+        "plug, driver pin 5: ",
+        "  q7 (driver pin 5) from ",
+    ] {
+        assert!(said.contains(line), "{line}: {said}");
+    }
+    // A driver pin, raised out of the way; by its name's coordinate alone.
+    let at = &requested(&lock, "q4=0.05")["at"];
+    assert_eq!(at["more"], serde_json::json!([0.05, 0.0, 0.0, 0.0]));
+    fails(
+        cspace(&["modes", &lock, "--at", "q8=1"]),
+        2,
+        &["\"q8=1\" is none of", "q7=Q"],
+    );
+    let dir = tempfile::tempdir().unwrap();
+    let picture = dir.path().join("modes.svg");
+    let refused = cspace(&["modes", &lock, "-o", picture.to_str().unwrap()]);
+    fails(
+        refused,
+        2,
+        &["modes of 7 parts have no picture", "--parts A,B,C"],
+    );
+    assert!(!picture.exists());
+    // Four blocks on one rail, each of which may touch all others.
+    let more = "[[part]]\nname = \"d\"\nloops = [[[12, 0], [14, 0], [14, 2], [12, 2]]]\n"
+        .to_owned()
+        + SLIDE;
+    let (_dir, file) = blocks([SLIDE; 3], &more);
+    fails(
+        cspace(&["modes", &file]),
+        2,
+        &["model.toml", "around a cycle", "--parts a,"],
+    );
+    let three = json(&["modes", &file, "--parts", "a,b,d"]);
+    assert_eq!(three["modes"].as_array().unwrap().len(), 6);
 }

@@ -344,7 +344,7 @@ fn columns_of_a_block_seen_from_behind_go_the_other_way() {
     }
 }
 
-/// Of several layers that are asked for, one that the drawing does not have is not left out silently.
+/// A layer that the drawing does not have is not left out silently beside others that it has.
 #[test]
 fn a_layer_that_is_not_there_is_refused() {
     let asked = |layers: &[&str]| {

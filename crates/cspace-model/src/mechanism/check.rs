@@ -119,8 +119,11 @@ impl Mechanism {
     pub fn check(&self) -> Result<(), MechanismError> {
         let mut names = HashMap::new();
         for (i, entry) in self.parts.iter().enumerate() {
-            if let Some(first) = names.insert(entry.part.name(), i) {
-                return Err(MechanismError::SameName { part: i, first });
+            let members = entry.members.iter().map(|m| m.name.as_str());
+            for name in [entry.part.name()].into_iter().chain(members) {
+                if let Some(first) = names.insert(name, i) {
+                    return Err(MechanismError::SameName { part: i, first });
+                }
             }
             entry.check(i)?;
         }
@@ -194,7 +197,6 @@ impl JointEntry {
     fn lets_move(&self, moving: &PartEntry) -> bool {
         let Some(axis) = moving.axis else { return true };
         match (self.joint, axis.motion) {
-            (Joint::Rigid, AxisMotion::Fixed) => true,
             (Joint::Revolute { at }, AxisMotion::Revolute { center }) => {
                 at.distance(center) <= SAME * (moving.part.size() + at.to_vector().length())
             }

@@ -52,6 +52,18 @@ pub struct PartEntry {
     pub axis: Option<Axis>,
     /// The declared fold of a rotational symmetry about the part's own centre, if any; symmetry is detected in any case.
     pub symmetry: Option<u32>,
+    /// The parts that it is made of, if it is a [body](Self::body); else none.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub members: Vec<Member>,
+}
+
+/// One of the parts that a body is made of.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Member {
+    /// Its name, which stands for the body.
+    pub name: String,
+    /// Number of its layers: those of the body are its members', in their order.
+    pub layers: usize,
 }
 
 /// A permanent connection of two different parts.
@@ -81,6 +93,7 @@ impl PartEntry {
             part,
             axis: None,
             symmetry: None,
+            members: Vec::new(),
         }
     }
 
@@ -105,7 +118,13 @@ impl PartEntry {
             part,
             axis: Some(axis),
             symmetry: None,
+            members: Vec::new(),
         }
+    }
+
+    /// Whether a name is that of the part, or of one that it is made of.
+    pub fn is_called(&self, name: &str) -> bool {
+        self.part.name() == name || self.members.iter().any(|m| m.name == name)
     }
 }
 
@@ -118,9 +137,9 @@ impl Mechanism {
         }
     }
 
-    /// The index of the part called `name`.
+    /// The index of the part called `name`, or of the body of which that is a part.
     pub fn part_index(&self, name: &str) -> Option<usize> {
-        self.parts.iter().position(|p| p.part.name() == name)
+        self.parts.iter().position(|p| p.is_called(name))
     }
 
     /// Whether a part has a mass, so that its motion is dynamic.

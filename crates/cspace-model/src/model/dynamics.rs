@@ -2,6 +2,7 @@
 
 use cspace::Vector;
 
+use super::bodies::Bodies;
 use super::error::ModelError;
 use super::forces::{read_drives, read_loads, read_springs};
 use super::scope::Result;
@@ -9,15 +10,15 @@ use super::table::Table;
 use crate::mechanism::{
     Dynamics, DynamicsError, DynamicsItem, Mechanism, PairSurface, PartDynamics,
 };
-use crate::shown::quoted;
 
 /// Gravity, friction, drives, loads and springs of the file's `table`; with what its parts and pairs say, checked as a whole.
 pub(super) fn read_dynamics(
     table: &Table<'_>,
     mechanism: &Mechanism,
-    mut parts: Vec<PartDynamics>,
+    bodies: &Bodies,
     pairs: Vec<PairSurface>,
 ) -> Result<Dynamics> {
+    let mut parts = bodies.dynamics(table)?;
     // Default values are not stored.
     while parts.last() == Some(&PartDynamics::default()) {
         parts.pop();
@@ -34,20 +35,24 @@ pub(super) fn read_dynamics(
         loads: read_loads(table, entries)?,
         springs: read_springs(table, entries)?,
     };
-    (dynamics.check(mechanism)).map_err(|e| in_the_file(table, mechanism, &e))?;
+    (dynamics.check(mechanism)).map_err(|e| in_the_file(table, mechanism, bodies, &e))?;
     Ok(dynamics)
 }
 
 /// Error for values that can be read but are invalid, at their key in the file.
-fn in_the_file(table: &Table<'_>, mechanism: &Mechanism, error: &DynamicsError) -> ModelError {
+fn in_the_file(
+    table: &Table<'_>,
+    mechanism: &Mechanism,
+    bodies: &Bodies,
+    error: &DynamicsError,
+) -> ModelError {
     let root = &table.place;
     let item = |key: &str, i: usize| root.key(key).item(i).called(format!("{key} {i}"));
     let place = match error.item {
-        DynamicsItem::Part(i) => {
-            let name = mechanism.parts.get(i).map_or("", |p| p.part.name());
-            let words = format!("part {i} {}", quoted(name));
-            item("part", i).called(words)
-        }
+        DynamicsItem::Part(i) => match bodies.place(table, i, error.key) {
+            Ok(place) => place,
+            Err(error) => return error,
+        },
         DynamicsItem::Pair(a, b) => {
             let is = |p: &crate::mechanism::PairEntry| (p.fixed, p.moving) == (a, b);
             let pair = mechanism.pairs.iter().position(is);

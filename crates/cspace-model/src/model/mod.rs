@@ -5,6 +5,7 @@
 //! read, so that no name is taken for one. `docs/model.md` in the project's repository describes the format, [`schema()`] is its
 //! schema.
 
+mod bodies;
 mod drawings;
 mod dynamics;
 mod entry;
@@ -43,6 +44,7 @@ mod tolerance;
 mod toml_dynamics;
 mod toml_values;
 mod union;
+mod unmoved;
 mod value;
 
 pub use error::ModelError;

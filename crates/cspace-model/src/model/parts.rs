@@ -9,14 +9,13 @@ use super::drawings::{Setting, read_drawing, source};
 use super::keys::{Key, Keys, Kind, Kinds, joined};
 use super::names::with_names;
 use super::outline::{no_part, read_outline};
-use super::part_dynamics::read_part_dynamics;
 use super::placement::at_place;
 use super::profile::at_profile;
 use super::scope::Result;
 use super::table::Table;
 use super::union::{Entries, UNION};
 use super::value::Value;
-use crate::mechanism::{MechanismError, PartDynamics, PartEntry};
+use crate::mechanism::{MechanismError, PartEntry};
 use crate::shown::quoted;
 
 /// How layers are written.
@@ -102,29 +101,34 @@ pub(super) const MOTION: Keys = Keys {
     )
 };
 
-pub(super) fn read_parts(
-    root: &Table<'_>,
-    setting: &mut Setting<'_>,
-) -> Result<(Vec<PartEntry>, Vec<PartDynamics>)> {
+pub(super) fn read_parts(root: &Table<'_>, setting: &mut Setting<'_>) -> Result<Vec<PartEntry>> {
     let mut names: HashMap<String, usize> = HashMap::new();
-    let parts = root.each("part", |i, mut value| {
-        if let Some(name) = value.text_of("name") {
-            value = value.called(format!("part {i} {}", quoted(name)));
-        }
-        let table = Table::new(value, &PART)?;
-        let part = read_part(&table, setting)?;
-        match names.insert(part.0.part.name().to_owned(), i) {
+    each_part(root, |i, table| {
+        let part = read_part(table, setting)?;
+        match names.insert(part.part.name().to_owned(), i) {
             Some(first) => {
                 let message = format!("the name is already that of part {first}");
                 Err((table.error("name", message)).with_help("give every part a name of its own"))
             }
             None => Ok(part),
         }
-    });
-    Ok(parts?.into_iter().unzip())
+    })
 }
 
-fn read_part(table: &Table<'_>, setting: &mut Setting<'_>) -> Result<(PartEntry, PartDynamics)> {
+/// The tables of the parts, read one by one by their numbers.
+pub(super) fn each_part<T>(
+    root: &Table<'_>,
+    mut read: impl FnMut(usize, &Table<'_>) -> Result<T>,
+) -> Result<Vec<T>> {
+    root.each("part", |i, mut value| {
+        if let Some(name) = value.text_of("name") {
+            value = value.called(format!("part {i} {}", quoted(name)));
+        }
+        read(i, &Table::new(value, &PART)?)
+    })
+}
+
+fn read_part(table: &Table<'_>, setting: &mut Setting<'_>) -> Result<PartEntry> {
     let name = table.needed("name", table.text("name")?)?;
     if name.trim().is_empty() {
         let error = table.error("name", "the name is empty");
@@ -147,10 +151,10 @@ fn read_part(table: &Table<'_>, setting: &mut Setting<'_>) -> Result<(PartEntry,
         part,
         axis,
         symmetry: table.count("symmetry")?,
+        members: Vec::new(),
     };
     check_symmetry(table, &entry)?;
-    let dynamics = read_part_dynamics(table, axis)?;
-    Ok((entry, dynamics))
+    Ok(entry)
 }
 
 /// The part of one outline, at its heights.

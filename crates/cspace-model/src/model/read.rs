@@ -2,6 +2,7 @@
 
 use cspace_drawing::Unit;
 
+use super::bodies::Bodies;
 use super::drawings::{Files, Setting};
 use super::dynamics::read_dynamics;
 use super::error::ModelError;
@@ -15,6 +16,7 @@ use super::relations::{read_joints, read_pairs};
 use super::requirements::{Requirement, read_requirements};
 use super::scope::{Entry, Result};
 use super::table::Table;
+use super::unmoved::unmoved;
 use super::value::Value;
 use crate::file::Host;
 use crate::mechanism::Mechanism;
@@ -54,6 +56,8 @@ pub struct Model {
     pub parameters: Vec<Parameter>,
     /// Requirements of the design, in the order of the file.
     pub requirements: Vec<Requirement>,
+    /// Notes for who asks about its pairs: axes that have no effect, since the other part says no motion.
+    pub on_pairs: Vec<String>,
 }
 
 /// The parameters of a file.
@@ -69,16 +73,28 @@ pub(super) fn parameters_of(
     Parameters::read(given.as_deref(), &place, host.set, variation, unit)
 }
 
-/// The model, and what whoever reads it should know.
-pub(super) fn from_tree(file: &Node, files: &Files<'_>) -> Result<(Model, Vec<ModelError>)> {
+/// Notes on a model.
+#[derive(Default)]
+pub(super) struct Notes {
+    /// For who reads it.
+    pub(super) on_all: Vec<ModelError>,
+    /// For who asks about its pairs.
+    pub(super) on_pairs: Vec<ModelError>,
+}
+
+/// The model, without the notes on its pairs, and all notes.
+pub(super) fn from_tree(file: &Node, files: &Files<'_>) -> Result<(Model, Notes)> {
     let parameters = parameters_of(file, files.host, None)?;
     let root = Table::new(Value::root(file, &parameters.scope), &FILE)?;
     let (mechanism, mut notes) = mechanism(&root, files)?;
     let requirements = read_requirements(&root, &mechanism)?;
     let words = |entry: &Entry| match (entry.key.as_str(), entry.item) {
         ("part", Some(i)) => {
-            let name = mechanism.parts.get(i).map_or("", |p| p.part.name());
-            format!("part {}", shown::quoted(name))
+            let name = match file.get("part") {
+                Some(Node::List(parts)) => parts.get(i).and_then(|p| p.get("name")?.text()),
+                _ => None,
+            };
+            format!("part {}", shown::quoted(name.unwrap_or_default()))
         }
         ("requirement", Some(i)) if i < requirements.len() => {
             format!("requirement {}", shown::quoted(&requirements[i].name))
@@ -88,17 +104,18 @@ pub(super) fn from_tree(file: &Node, files: &Files<'_>) -> Result<(Model, Vec<Mo
     };
     let place = root.place.key("parameter");
     let (parameters, unused) = parameters.used(&place, words)?;
-    notes.extend(unused);
+    notes.on_all.extend(unused);
     let model = Model {
         mechanism,
         parameters,
         requirements,
+        on_pairs: Vec::new(),
     };
     Ok((model, notes))
 }
 
 /// The mechanism of a file.
-fn mechanism(root: &Table<'_>, files: &Files<'_>) -> Result<(Mechanism, Vec<ModelError>)> {
+fn mechanism(root: &Table<'_>, files: &Files<'_>) -> Result<(Mechanism, Notes)> {
     let parts = root.nodes("part", "write each part as [[part]], in two brackets")?;
     let count = parts.map_or(0, <[Node]>::len);
     if count == 0 {
@@ -115,13 +132,14 @@ fn mechanism(root: &Table<'_>, files: &Files<'_>) -> Result<(Mechanism, Vec<Mode
         unit: root.text("unit")?,
         notes: Vec::new(),
     };
-    let (parts, masses) = read_parts(root, &mut setting)?;
-    let joints = read_joints(root, &parts)?;
-    let (pairs, surfaces) = read_pairs(root, &parts)?;
+    let drawn = read_parts(root, &mut setting)?;
+    let bodies = Bodies::read(root, drawn)?;
+    let joints = read_joints(root, &bodies.parts)?;
+    let (pairs, surfaces) = read_pairs(root, &bodies.parts)?;
     let mut mechanism = Mechanism {
         name: root.text("name")?.unwrap_or_default().to_owned(),
         unit: setting.unit.map(str::to_owned),
-        parts,
+        parts: bodies.parts.clone(),
         joints,
         pairs,
         ..Mechanism::default()
@@ -129,6 +147,10 @@ fn mechanism(root: &Table<'_>, files: &Files<'_>) -> Result<(Mechanism, Vec<Mode
     if mechanism.pairs.is_empty() {
         mechanism.pairs = mechanism.every_two();
     }
-    mechanism.dynamics = read_dynamics(root, &mechanism, masses, surfaces)?;
-    Ok((mechanism, setting.notes))
+    mechanism.dynamics = read_dynamics(root, &mechanism, &bodies, surfaces)?;
+    let notes = Notes {
+        on_all: setting.notes,
+        on_pairs: unmoved(root, &mechanism, &bodies)?,
+    };
+    Ok((mechanism, notes))
 }

@@ -71,10 +71,15 @@ impl Slope for Varied {
 /// Collects the derivatives of a file's numbers.
 pub(super) fn slopes<T: Slope>(file: &Value<'_>, mechanism: &Mechanism) -> Result<Slopes<T>> {
     let items = |key: &str| file.get(key).and_then(|list| list.items());
-    let parts = items("part").unwrap_or_default().into_iter();
-    let parts = parts.zip(&mechanism.parts).map(|(value, entry)| {
-        let words = format!("part {}", crate::shown::quoted(entry.part.name()));
-        part(&value.called(words), &entry.part)
+    let written = items("part").unwrap_or_default();
+    let parts = mechanism.parts.iter().map(|entry| {
+        let drawn = entry.drawn();
+        let members = drawn.iter().filter_map(|of| {
+            let value = (written.iter()).find(|v| v.text_of("name") == Some(of.name()))?;
+            let words = format!("part {}", crate::shown::quoted(of.name()));
+            Some(part(&value.clone().called(words), of))
+        });
+        Ok(together(members.collect::<Result<_>>()?, &drawn))
     });
     let requirements = items("requirement").unwrap_or_default();
     let requirements = requirements.iter().map(|r| Ok((name(r), requirement(r)?)));
@@ -82,6 +87,29 @@ pub(super) fn slopes<T: Slope>(file: &Value<'_>, mechanism: &Mechanism) -> Resul
         parts: parts.collect::<Result<_>>()?,
         requirements: requirements.collect::<Result<_>>()?,
     })
+}
+
+/// Derivatives of a part, by those of the parts that it is made of.
+fn together<T: Slope>(members: Vec<PartSlopes<T>>, drawn: &[Part]) -> PartSlopes<T> {
+    let moves = members.iter().any(|m| !m.loops.is_empty());
+    let mut all = PartSlopes {
+        loops: Vec::new(),
+        axis: members.iter().find_map(|m| m.axis),
+        range: members.iter().find_map(|m| m.range),
+    };
+    for (member, of) in members.into_iter().zip(drawn).filter(|_| moves) {
+        all.loops.extend(match member.loops.is_empty() {
+            true => numbers(&own(of.loops())),
+            false => member.loops,
+        });
+    }
+    all
+}
+
+fn numbers<T: Slope>(loops: &[Vec<Vertex<Varied>>]) -> Vec<Vec<[T; 3]>> {
+    let number = |v: &Vertex<Varied>| [v.x, v.y, v.bulge].map(T::from_number);
+    let loops = loops.iter();
+    loops.map(|l| l.iter().map(number).collect()).collect()
 }
 
 fn name(requirement: &Value<'_>) -> String {
@@ -254,14 +282,10 @@ fn part<T: Slope>(value: &Value<'_>, of: &Part) -> Result<PartSlopes<T>> {
         }
     }
     let mut slopes = PartSlopes {
-        loops: Vec::new(),
+        loops: numbers(&outlines(value, of)?),
         axis: None,
         range: None,
     };
-    for outline in outlines(value, of)? {
-        let number = |v: &Vertex<Varied>| [v.x, v.y, v.bulge].map(T::from_number);
-        slopes.loops.push(outline.iter().map(number).collect());
-    }
     let Some(motion) = value.get("motion") else {
         return Ok(slopes);
     };

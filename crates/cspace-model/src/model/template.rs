@@ -228,10 +228,12 @@ impl Template {
             };
             e.at(position).in_file(&self.path.display().to_string())
         };
-        let (model, notes) = from_tree(&self.tree, &Files { folder, host }).map_err(placed)?;
-        for note in notes {
+        let (mut model, notes) = from_tree(&self.tree, &Files { folder, host }).map_err(placed)?;
+        for note in notes.on_all {
             (host.note)(&placed(note).to_string());
         }
+        let on_pairs = notes.on_pairs.into_iter();
+        model.on_pairs = on_pairs.map(|note| placed(note).to_string()).collect();
         Ok(model)
     }
 

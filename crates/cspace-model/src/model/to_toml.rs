@@ -4,11 +4,11 @@ use std::fmt::Write as _;
 
 use cspace::pair::Joint;
 use cspace::part::Loop;
-use cspace::{Axis, AxisMotion, Layer};
+use cspace::{Axis, AxisMotion, Layer, Part};
 
 use super::toml_dynamics::{of_pair, of_part, of_whole, written_apart};
 use super::toml_values::{lines, list, point, text, two, vector};
-use crate::mechanism::{JointEntry, Mechanism, PairEntry, PartEntry};
+use crate::mechanism::{JointEntry, Mechanism, PairEntry, PartDynamics, PartEntry};
 
 /// Writes the model as the text of a TOML file. Reading it gives an equal model: numbers are written with as many
 /// digits as necessary, angles in radians.
@@ -33,7 +33,11 @@ pub fn to_toml(mechanism: &Mechanism) -> String {
         ("unit", mechanism.unit.as_deref().map(text)),
     ]) + &of_whole(dynamics);
     for (i, entry) in mechanism.parts.iter().enumerate() {
-        out += &(part(entry) + &of_part(&dynamics.part(i)));
+        let own = dynamics.part(i);
+        match &entry.drawn()[..] {
+            [_] => out += &(part(entry, &entry.part) + &of_part(&own)),
+            members => out += &body(entry, members, &own.of_outline(&entry.part)),
+        }
     }
     for entry in &mechanism.joints {
         out += &joint(entry, &name);
@@ -65,8 +69,26 @@ fn outlines(loops: &[Loop]) -> String {
     loops
 }
 
-fn part(entry: &PartEntry) -> String {
-    let (all, layers) = (entry.part.loops(), entry.part.layers());
+/// The parts of a body, of which the first says how it moves, and their joints.
+fn body(entry: &PartEntry, members: &[Part], dynamics: &PartDynamics) -> String {
+    let mut out = String::new();
+    for (i, member) in members.iter().enumerate() {
+        match i {
+            0 => out += &(part(entry, member) + &of_part(dynamics)),
+            _ => out += &part(&PartEntry::planar(member.clone()), member),
+        }
+    }
+    for member in &members[1..] {
+        let parts = list([&members[0], member].map(|p| text(p.name())));
+        let keys = [("type", Some(text("rigid"))), ("parts", Some(parts))];
+        out += &format!("\n[[joint]]\n{}", lines(keys));
+    }
+    out
+}
+
+/// A part with the motion of an entry.
+fn part(entry: &PartEntry, part: &Part) -> String {
+    let (all, layers) = (part.loops(), part.layers());
     let layer = |l: &Layer| {
         let loops = outlines(&all[l.loops()]);
         match l.z() {
@@ -74,14 +96,14 @@ fn part(entry: &PartEntry) -> String {
             None => format!("{{ loops = {loops} }}"),
         }
     };
-    let layers = (entry.part.has_heights()).then(|| list(layers.iter().map(layer)));
+    let layers = (part.has_heights()).then(|| list(layers.iter().map(layer)));
     let loops = layers.is_none().then(|| outlines(all));
-    let names: Vec<String> = (entry.part.feature_names())
+    let names: Vec<String> = (part.feature_names())
         .map(|(feature, name)| format!("\"{feature}\" = {}", text(name)))
         .collect();
     let names = (!names.is_empty()).then(|| format!("{{ {} }}", names.join(", ")));
     let keys = [
-        ("name", Some(text(entry.part.name()))),
+        ("name", Some(text(part.name()))),
         ("loops", loops),
         ("layers", layers),
         ("names", names),
@@ -93,9 +115,8 @@ fn part(entry: &PartEntry) -> String {
 
 fn joint(entry: &JointEntry, name: &dyn Fn(usize) -> String) -> String {
     let (kind, along, at) = match entry.joint {
-        Joint::Revolute { at } => ("revolute", None, Some(at)),
-        Joint::Prismatic { direction, at } => ("prismatic", Some(direction), Some(at)),
-        Joint::Rigid => ("rigid", None, None),
+        Joint::Revolute { at } => ("revolute", None, at),
+        Joint::Prismatic { direction, at } => ("prismatic", Some(direction), at),
     };
     let keys = [
         ("type", Some(text(kind))),
@@ -104,7 +125,7 @@ fn joint(entry: &JointEntry, name: &dyn Fn(usize) -> String) -> String {
             Some(list([entry.parts.0, entry.parts.1].map(name))),
         ),
         ("direction", along.map(vector)),
-        ("at", at.map(point)),
+        ("at", Some(point(at))),
     ];
     format!("\n[[joint]]\n{}", lines(keys))
 }

@@ -43,10 +43,10 @@ pub enum Document {
 ///
 /// ```
 /// use cspace::pair::Joint;
-/// use cspace::{LowerPair, PairSpace, Part, Vertex};
+/// use cspace::{LowerPair, PairSpace, Part, Point, Vertex};
 /// use cspace_model::SavedFile;
 /// let disc = |name: &str, r: f64| Part::new(name, vec![vec![Vertex::new(-r, 0.0, 1.0), Vertex::new(r, 0.0, 1.0)]]);
-/// let pair = LowerPair::new(&disc("wheel", 2.0)?, &disc("hub", 1.0)?, Joint::Rigid, None);
+/// let pair = LowerPair::new(&disc("wheel", 2.0)?, &disc("hub", 1.0)?, Joint::Revolute { at: Point::ORIGIN }, None);
 /// let file = SavedFile {
 ///     space: PairSpace::Lower(Box::new(pair)),
 ///     name: Some("wheel and hub".into()),

@@ -366,12 +366,22 @@ impl System {
     /// The equations of all joints: 0 where they hold, in the model's unit of length.
     pub fn joints<T: Real>(&self, q: &[T]) -> Vec<Row<T>> {
         (self.joints.iter())
-            .flat_map(|entry| {
-                let (a, b) = entry.parts;
-                let parts = [&self.parts[a], &self.parts[b]];
-                joint::equations(&entry.joint, parts, q, self.size)
-            })
+            .flat_map(|entry| self.equations_of(entry, q))
             .collect()
+    }
+
+    /// The equations of some joints, by their numbers.
+    pub(crate) fn joints_of<T: Real>(&self, joints: &[usize], q: &[T]) -> Vec<Row<T>> {
+        let entries = joints.iter().filter_map(|&k| self.joints.get(k));
+        entries
+            .flat_map(|entry| self.equations_of(entry, q))
+            .collect()
+    }
+
+    fn equations_of<T: Real>(&self, entry: &JointEntry, q: &[T]) -> Vec<Row<T>> {
+        let (a, b) = entry.parts;
+        let parts = [&self.parts[a], &self.parts[b]];
+        joint::equations(&entry.joint, parts, q, self.size)
     }
 
     /// Error that reports the joint with the largest gap at a configuration.

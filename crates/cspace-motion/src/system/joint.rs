@@ -52,21 +52,13 @@ pub(crate) fn equations<T: Real>(
     q: &[T],
     size: f64,
 ) -> Vec<Row<T>> {
-    let together = |at: Point| rows_of(parts, q, &Apart([at, at]));
-    let parallel = || {
-        let [row] = rows_of(parts, q, &Parallel(size));
-        row
-    };
     match *joint {
-        Joint::Revolute { at } => together(at).to_vec(),
-        Joint::Rigid => {
-            let [x, y] = together(Point::ORIGIN);
-            vec![x, y, parallel()]
-        }
+        Joint::Revolute { at } => rows_of(parts, q, &Apart([at, at])).to_vec(),
         Joint::Prismatic { direction, at } => {
             let normal = direction.unit().left();
             let [beside] = rows_of(parts, q, &Beside { at, normal });
-            vec![beside, parallel()]
+            let [parallel] = rows_of(parts, q, &Parallel(size));
+            vec![beside, parallel]
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Units: parts that move as one.
 
 use cspace::part::{Heights, tolerance::MAX_LAYERS};
-use cspace::{Axis, AxisMotion, Configuration, Part, Vertex, pair::Joint};
+use cspace::{Axis, AxisMotion, Configuration, Part, Vertex};
 use cspace_model::Mechanism;
 
 use crate::clash::depth;
@@ -94,13 +94,10 @@ impl Units {
             return Err(AssemblyError::Nothing);
         }
         let rigid = set(&|parts| {
-            let could_move = |j: &cspace_model::JointEntry| {
-                parts.contains(&j.parts.0) && !matches!(j.joint, Joint::Rigid)
-            };
             let is_held = |&i: &usize| {
                 axis(i).is_some_and(|a| a.motion != AxisMotion::Fixed) && moves(i).is_none()
             };
-            !mechanism.joints.iter().any(could_move) && !parts.iter().any(is_held)
+            !parts.iter().any(|&i| is_joined(i) || is_held(&i))
         });
         let count = of.len();
         let mut units = Self {
@@ -231,10 +228,11 @@ pub(super) fn together(parts: &[Part], these: &[usize]) -> Result<Part, Assembly
     let names: Vec<&str> = these.iter().map(|&i| parts[i].name()).collect();
     let mut layers: Vec<(Heights, Vec<Vec<Vertex>>)> = Vec::new();
     for part in these.iter().map(|&i| &parts[i]) {
-        for layer in part.layers() {
+        for (i, layer) in part.layers().iter().enumerate() {
             let loops = part.outline(layer);
             match layers.last_mut() {
-                Some((z, of)) if *z == layer.z() => of.extend(loops),
+                // Layers of one part may cross, and stay apart.
+                Some((z, of)) if i == 0 && *z == layer.z() => of.extend(loops),
                 _ => layers.push((layer.z(), loops)),
             }
         }

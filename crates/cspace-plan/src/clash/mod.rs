@@ -24,6 +24,7 @@
 mod along;
 mod answer;
 mod broad;
+mod course;
 mod depth;
 mod pair;
 
@@ -33,6 +34,7 @@ use cspace_model::Mechanism;
 use crate::legs::Body;
 pub use answer::{Clash, Clashes, Question, Sample, State};
 pub(crate) use broad::{Boxed, near};
+pub use course::{Course, Leg, Passage};
 pub(crate) use depth::depth;
 use pair::Pair;
 
@@ -80,6 +82,19 @@ impl<'a> Assembly<'a> {
     pub fn on_axes(&self, parts: [usize; 2], at: [f64; 2], question: &Question) -> Option<Clash> {
         let at = at.map(|t| [t, 0.0, 0.0]);
         drawn(&self.pair(parts, question.touch), at, question.within)
+    }
+
+    /// Two parts over a motion that is known at every time; none if they are clear of each other by as much as is asked for all along. The
+    /// smallest gap is bounded, not sampled, and right to 10⁻¹² of the parts' size, or to what is told as the least.
+    ///
+    /// Parts that touch at the start are looked at for overlap at the course's own times alone.
+    pub fn over(
+        &self,
+        parts: [usize; 2],
+        course: &mut dyn Course,
+        question: &Question,
+    ) -> Option<Passage> {
+        course::passage(&self.pair(parts, question.touch), course, question.within)
     }
 
     /// Clashes of the parts over a motion that is given by samples in order of time: between two of them every

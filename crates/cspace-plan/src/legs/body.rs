@@ -123,6 +123,12 @@ impl Between<'_> {
         self.search().least_below(limit)
     }
 
+    /// Whether the boundaries are farther apart than a distance during the motion, as far as that is found by looking at so many pairs of discs
+    /// and pieces.
+    pub(crate) fn is_apart(&self, distance: f64, effort: u32) -> bool {
+        self.search().is_apart(distance, effort)
+    }
+
     /// The nearest features at the start, and their nearest points in the assembly's frame.
     pub(crate) fn nearest(&self) -> Option<([FeatureName; 2], [Point; 2])> {
         let ((a, b), (p, q)) = self.search().nearest()?;

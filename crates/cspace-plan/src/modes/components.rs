@@ -248,8 +248,8 @@ fn swept(
         .map_err(|error| failed(names, error))
 }
 
-/// The extent of the coordinate that no pair constrains.
-fn alone(axis: &Axis, circle: bool, size: f64) -> Extent {
+/// The extent of a coordinate that no pair constrains.
+pub(crate) fn alone(axis: &Axis, circle: bool, size: f64) -> Extent {
     /// Tolerances as in the spaces of pairs: openings of 10⁻¹¹, and bands of 10⁻¹⁰, of a turn or the part's size.
     const OPENING: f64 = 1e-11;
     let unit = match axis.motion {

@@ -2,25 +2,66 @@
 
 use core::f64::consts::TAU;
 
-use cspace::Classification;
+use cspace::{Axis, Classification};
 
 use crate::modes::components::Modes;
 use crate::modes::error::ModesError;
 use crate::modes::plane::turns_onto;
+use crate::modes::trio::TrioPair;
 
-/// Place of a configuration of the three parts.
+/// Name of a coordinate by its number from 0: u, v and w, and from the fourth on q4, q5 and so on.
+pub fn coordinate_name(k: usize) -> String {
+    match k {
+        0 => "u".to_owned(),
+        1 => "v".to_owned(),
+        2 => "w".to_owned(),
+        _ => format!("q{}", k + 1),
+    }
+}
+
+/// Place of a configuration of the parts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ModePlace {
     /// Free, in the mode with that number.
     Mode(usize),
-    /// Two parts touch: a number of [`PAIRS`](crate::modes::PAIRS).
+    /// Two parts touch: a number of the list of pairs.
     Contact(usize),
-    /// Two parts overlap: a number of [`PAIRS`](crate::modes::PAIRS).
+    /// Two parts overlap: a number of the list of pairs.
     Blocked(usize),
     /// Outside the range of the coordinate of that number.
     Outside(usize),
     /// Free by its pairs, but so near to contacts of several that there is no opening.
     Closed,
+}
+
+/// The place of a configuration that is not free in all pairs.
+pub(crate) fn place_by_pairs(
+    at: &[f64],
+    axes: &[Axis],
+    pairs: &[TrioPair],
+) -> Result<Option<ModePlace>, ModesError> {
+    if let Some(k) = at.iter().position(|t| !t.is_finite()) {
+        let coordinate = coordinate_name(k);
+        return Err(ModesError::NotFinite { coordinate });
+    }
+    for (k, axis) in axes.iter().enumerate() {
+        if axis
+            .range
+            .is_some_and(|(lo, hi)| !(lo..=hi).contains(&at[k]))
+        {
+            return Ok(Some(ModePlace::Outside(k)));
+        }
+    }
+    let mut touching = None;
+    for (k, pair) in pairs.iter().enumerate() {
+        let [u, v] = pair.coordinates.map(|c| at[c]);
+        match pair.space.as_ref().map(|s| s.classify(u, v)) {
+            Some(Some(Classification::Blocked)) => return Ok(Some(ModePlace::Blocked(k))),
+            Some(Some(Classification::Contact)) => touching = touching.or(Some(k)),
+            _ => {}
+        }
+    }
+    Ok(touching.map(ModePlace::Contact))
 }
 
 impl Modes {
@@ -50,29 +91,8 @@ impl Modes {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn locate(&self, at: [f64; 3]) -> Result<ModePlace, ModesError> {
-        if let Some(k) = at.iter().position(|t| !t.is_finite()) {
-            let coordinate = ["u", "v", "w"][k];
-            return Err(ModesError::NotFinite { coordinate });
-        }
-        for (k, axis) in self.trio.axes.iter().enumerate() {
-            if axis
-                .range
-                .is_some_and(|(lo, hi)| !(lo..=hi).contains(&at[k]))
-            {
-                return Ok(ModePlace::Outside(k));
-            }
-        }
-        let mut touching = None;
-        for (k, pair) in self.trio.pairs.iter().enumerate() {
-            let [u, v] = pair.coordinates.map(|c| at[c]);
-            match pair.space.as_ref().map(|s| s.classify(u, v)) {
-                Some(Some(Classification::Blocked)) => return Ok(ModePlace::Blocked(k)),
-                Some(Some(Classification::Contact)) => touching = touching.or(Some(k)),
-                _ => {}
-            }
-        }
-        if let Some(pair) = touching {
-            return Ok(ModePlace::Contact(pair));
+        if let Some(place) = place_by_pairs(&at, &self.trio.axes, &self.trio.pairs)? {
+            return Ok(place);
         }
         let mode = self.cell_at(at).map(|cell| self.mode_of[cell as usize]);
         Ok(mode.map_or(ModePlace::Closed, |m| ModePlace::Mode(m as usize)))

@@ -1,4 +1,7 @@
-//! Operating modes of three parts on fixed axes: the connected components of the configurations in which no two overlap.
+//! Operating modes of parts on fixed axes: the connected components of the configurations in which no two overlap.
+//!
+//! [`Modes`] are those of three parts, each of which may touch both others; [`TreeModes`] those of any number of parts whose contacts
+//! make a tree.
 //!
 //! Three parts A, B and C that each turn or slide on an axis have the coordinates u, v and w (radians, or the model's unit of
 //! length). A configuration is free if it is free for each of the three pairs:
@@ -11,7 +14,7 @@
 //! ```
 //! use cspace::Part;
 //! use cspace_model::{Mechanism, PartEntry};
-//! use cspace_plan::modes::{ModePlace, Modes, moving_parts};
+//! use cspace_plan::modes::{ModePlace, Modes};
 //! // Two bolts and a slide across them, which has a slot that takes the end of one bolt at a time.
 //! let mut lock = Mechanism::new("lock");
 //! let mut add = |part, direction: (f64, f64), range: (f64, f64)| {
@@ -24,7 +27,7 @@
 //! add(Part::polygon("slide", &slot)?, (1.0, 0.0), (-4.0, 4.0));
 //! add(Part::rectangle("right bolt", (4.0, 7.0), 2.0, 4.0)?, (0.0, 1.0), (-3.0, 1.0));
 //! lock.pairs = lock.every_two();
-//! let modes = Modes::compute(&lock, moving_parts(&lock)?)?;
+//! let modes = Modes::compute(&lock, [0, 1, 2])?;
 //! // With the slide to the left the left bolt enters the slot, with the slide to the right the right one: one mode.
 //! assert_eq!(modes.list().len(), 1);
 //! assert_eq!(modes.locate([-3.0, -4.0, 0.0])?, ModePlace::Mode(0));
@@ -56,12 +59,14 @@ mod section;
 mod shadow;
 mod shape;
 mod sweep;
+mod tree;
 mod trio;
 mod turns;
 
 pub use components::Modes;
 pub use error::ModesError;
-pub use locate::ModePlace;
+pub use locate::{ModePlace, coordinate_name};
 pub use mode::Mode;
 pub use shadow::Shadow;
+pub use tree::{TreeMode, TreeModes};
 pub use trio::{PAIRS, TrioPair, moving_parts};

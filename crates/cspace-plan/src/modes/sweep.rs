@@ -47,7 +47,7 @@ pub(crate) struct Swept {
     pub(crate) slabs: Vec<Slab>,
     pub(crate) stacks: Vec<Stack>,
     /// Connected sets of the cells of all layers, in order.
-    pub(crate) sets: Sets,
+    pub(crate) sets: Sets<3>,
     pub(crate) cells: u32,
     /// Columns in which critical values could not be separated.
     pub(crate) undecided: usize,

@@ -1,4 +1,4 @@
-//! Three parts with one coordinate each, and their pairs.
+//! Three parts with one coordinate each, and their pairs; and what of that holds for any number of parts.
 
 use cspace::fixed_axes::Role;
 use cspace::{Axis, AxisMotion, FixedAxesSpace, Options, PairError, PairSpace};
@@ -9,10 +9,10 @@ use crate::modes::error::ModesError;
 /// The coordinates of each pair among the three: u and v, v and w, u and w.
 pub const PAIRS: [[usize; 2]; 3] = [[0, 1], [1, 2], [0, 2]];
 
-/// Two of the three parts.
+/// Two of the parts.
 #[derive(Debug)]
 pub struct TrioPair {
-    /// Coordinates of the pair, among the three: its u and its v.
+    /// Coordinates of the pair, among those of all: its u and its v.
     pub coordinates: [usize; 2],
     /// Configuration space of the two parts; `None` if the model has no such pair, which then constrains nothing.
     pub space: Option<FixedAxesSpace>,
@@ -28,10 +28,10 @@ pub(crate) struct Trio {
     pub(crate) pairs: [TrioPair; 3],
 }
 
-/// Parts of a model that turn or slide on an axis, if there are three.
+/// Parts of a model that turn or slide on an axis, if there are three or more.
 ///
 /// # Errors
-/// If there are fewer or more.
+/// If there are fewer.
 ///
 /// ```
 /// use cspace::Part;
@@ -42,20 +42,23 @@ pub(crate) struct Trio {
 ///     lock.parts.push(PartEntry::prismatic(part, (0.0, 1.0)));
 /// }
 /// lock.parts.push(PartEntry::fixed(Part::rectangle("case", (20.0, 0.0), 2.0, 2.0)?));
-/// assert_eq!(cspace_plan::modes::moving_parts(&lock), Ok([0, 1, 2]));
+/// assert_eq!(cspace_plan::modes::moving_parts(&lock), Ok(vec![0, 1, 2]));
 /// # Ok::<(), cspace::PartError>(())
 /// ```
-pub fn moving_parts(mechanism: &Mechanism) -> Result<[usize; 3], ModesError> {
+pub fn moving_parts(mechanism: &Mechanism) -> Result<Vec<usize>, ModesError> {
     let moves = |axis: &Axis| axis.motion != AxisMotion::Fixed;
     let all: Vec<usize> = (0..mechanism.parts.len())
         .filter(|&i| mechanism.parts[i].axis.as_ref().is_some_and(moves))
         .collect();
-    <[usize; 3]>::try_from(all).map_err(|all| ModesError::NotThree {
-        parts: all.into_iter().map(|i| name(mechanism, i)).collect(),
-    })
+    match all.len() {
+        0..=2 => Err(ModesError::NotThree {
+            parts: all.into_iter().map(|i| name(mechanism, i)).collect(),
+        }),
+        _ => Ok(all),
+    }
 }
 
-fn name(mechanism: &Mechanism, part: usize) -> String {
+pub(crate) fn name(mechanism: &Mechanism, part: usize) -> String {
     mechanism.parts[part].part.name().to_owned()
 }
 
@@ -71,8 +74,8 @@ impl Trio {
                 return Err(ModesError::Twice { part });
             }
         }
-        check_joints(mechanism, parts, &names)?;
-        let entries = PAIRS.map(|pair| entry(mechanism, parts, pair));
+        check_joints(mechanism, &parts, &names)?;
+        let entries = PAIRS.map(|pair| entry(mechanism, &parts, pair));
         for (coordinates, _) in entries.iter().flatten() {
             check_slides(coordinates.map(|k| (&names[k], &axes[k])))?;
         }
@@ -107,19 +110,27 @@ impl Trio {
 
     /// Whether a coordinate is unbounded.
     pub(crate) fn is_open(&self, k: usize) -> bool {
-        let axis = &self.axes[k];
-        matches!(axis.motion, AxisMotion::Prismatic { .. }) && axis.range.is_none()
+        is_open(&self.axes[k])
     }
 
     /// Whether a coordinate repeats after a turn.
     pub(crate) fn is_circle(&self, k: usize) -> bool {
-        let axis = &self.axes[k];
-        matches!(axis.motion, AxisMotion::Revolute { .. }) && axis.range.is_none()
+        is_circle(&self.axes[k])
     }
 }
 
+/// Whether the coordinate of an axis is unbounded.
+pub(crate) fn is_open(axis: &Axis) -> bool {
+    matches!(axis.motion, AxisMotion::Prismatic { .. }) && axis.range.is_none()
+}
+
+/// Whether the coordinate of an axis repeats after a turn.
+pub(crate) fn is_circle(axis: &Axis) -> bool {
+    matches!(axis.motion, AxisMotion::Revolute { .. }) && axis.range.is_none()
+}
+
 impl TrioPair {
-    fn of(
+    pub(crate) fn of(
         mechanism: &Mechanism,
         pair: [usize; 2],
         entry: Option<([usize; 2], PairEntry)>,
@@ -157,7 +168,7 @@ impl TrioPair {
     }
 }
 
-fn axis(mechanism: &Mechanism, part: usize) -> Result<Axis, ModesError> {
+pub(crate) fn axis(mechanism: &Mechanism, part: usize) -> Result<Axis, ModesError> {
     let Some(entry) = mechanism.parts.get(part) else {
         return Err(ModesError::NoSuchPart {
             part,
@@ -176,9 +187,9 @@ fn axis(mechanism: &Mechanism, part: usize) -> Result<Axis, ModesError> {
 }
 
 /// The pair of two of the parts, if the model has it, with which coordinates are its u and v.
-fn entry(
+pub(crate) fn entry(
     mechanism: &Mechanism,
-    parts: [usize; 3],
+    parts: &[usize],
     [a, b]: [usize; 2],
 ) -> Option<([usize; 2], PairEntry)> {
     mechanism.pairs.iter().find_map(|pair| {
@@ -196,12 +207,12 @@ fn entry(
 }
 
 /// Checks that no joint, or chain of joints, connects two of the parts.
-fn check_joints(
+pub(crate) fn check_joints(
     mechanism: &Mechanism,
-    parts: [usize; 3],
-    names: &[String; 3],
+    parts: &[usize],
+    names: &[String],
 ) -> Result<(), ModesError> {
-    for [a, b] in PAIRS {
+    for a in 0..parts.len() {
         let mut reached = vec![parts[a]];
         let mut next = 0;
         while let Some(&part) = reached.get(next) {
@@ -222,7 +233,7 @@ fn check_joints(
                 }
             }
         }
-        if reached.contains(&parts[b]) {
+        if let Some(b) = (a + 1..parts.len()).find(|&b| reached.contains(&parts[b])) {
             let direct = |p: (usize, usize)| p == (parts[a], parts[b]) || p == (parts[b], parts[a]);
             return Err(ModesError::Joined {
                 first: names[a].clone(),
@@ -235,7 +246,7 @@ fn check_joints(
 }
 
 /// Checks that two parts do not slide side by side without limits.
-fn check_slides(pair: [(&String, &Axis); 2]) -> Result<(), ModesError> {
+pub(crate) fn check_slides(pair: [(&String, &Axis); 2]) -> Result<(), ModesError> {
     /// The sine of the angle between directions of sliding below which they are one: a pair's space takes them so.
     const PARALLEL: f64 = 1e-9;
     let [(first, a), (second, b)] = pair;

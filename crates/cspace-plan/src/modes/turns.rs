@@ -1,36 +1,36 @@
 //! Connected sets of cells that record their turns: around which circles a closed path within a set leads.
 
-/// Turns of the three coordinates.
-pub(crate) type Turns = [i32; 3];
+/// Turns of some coordinates.
+pub(crate) type Turns<const N: usize> = [i32; N];
 
 /// Disjoint sets of cells. Each cell has its turns relative to the root of its set; each set has the lattice of turns
 /// of its closed paths.
 #[derive(Debug)]
-pub(crate) struct Sets {
+pub(crate) struct Sets<const N: usize> {
     /// Parent cell, and the turns of this one less those of the parent.
-    above: Vec<(u32, Turns)>,
-    lattices: Vec<Lattice>,
+    above: Vec<(u32, Turns<N>)>,
+    lattices: Vec<Lattice<N>>,
 }
 
-fn plus(a: Turns, b: Turns) -> Turns {
-    [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
+pub(crate) fn plus<const N: usize>(a: Turns<N>, b: Turns<N>) -> Turns<N> {
+    core::array::from_fn(|k| a[k] + b[k])
 }
 
-fn less(a: Turns, b: Turns) -> Turns {
-    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+pub(crate) fn less<const N: usize>(a: Turns<N>, b: Turns<N>) -> Turns<N> {
+    core::array::from_fn(|k| a[k] - b[k])
 }
 
-impl Sets {
+impl<const N: usize> Sets<N> {
     pub(crate) fn new(n: usize) -> Self {
         Self {
-            above: (0..n as u32).map(|i| (i, [0; 3])).collect(),
-            lattices: vec![Lattice::default(); n],
+            above: (0..n as u32).map(|i| (i, [0; N])).collect(),
+            lattices: vec![Lattice { rows: Vec::new() }; n],
         }
     }
 
     /// The cell that stands for the set of `i`, and the turns of `i` seen from it.
-    pub(crate) fn find(&mut self, i: u32) -> (u32, Turns) {
-        let (mut root, mut sum) = (i, [0; 3]);
+    pub(crate) fn find(&mut self, i: u32) -> (u32, Turns<N>) {
+        let (mut root, mut sum) = (i, [0; N]);
         while self.above[root as usize].0 != root {
             let (above, turns) = self.above[root as usize];
             sum = plus(sum, turns);
@@ -47,7 +47,7 @@ impl Sets {
     }
 
     /// Records that cell `b`, moved by some turns, is adjacent to cell `a`.
-    pub(crate) fn link(&mut self, a: u32, b: u32, by: Turns) {
+    pub(crate) fn link(&mut self, a: u32, b: u32, by: Turns<N>) {
         let ((root_a, turns_a), (root_b, turns_b)) = (self.find(a), self.find(b));
         // Turns of b seen from the cell that stands for a.
         let there = plus(turns_a, by);
@@ -59,33 +59,33 @@ impl Sets {
         let (root, other, by) = if root_a < root_b {
             (root_a, root_b, between)
         } else {
-            (root_b, root_a, less([0; 3], between))
+            (root_b, root_a, less([0; N], between))
         };
         self.above[other as usize] = (root, by);
-        let joined = core::mem::take(&mut self.lattices[other as usize]);
-        for row in joined.rows {
+        let joined = core::mem::take(&mut self.lattices[other as usize].rows);
+        for row in joined {
             self.lattices[root as usize].add(row);
         }
     }
 
     /// Lattice of turns of closed paths in the set with this root.
-    pub(crate) fn lattice(&self, root: u32) -> &Lattice {
+    pub(crate) fn lattice(&self, root: u32) -> &Lattice<N> {
         &self.lattices[root as usize]
     }
 }
 
-/// Lattice of all integer combinations of some vectors: three at most, in echelon form.
-#[derive(Debug, Clone, Default, PartialEq)]
-pub(crate) struct Lattice {
-    rows: Vec<[i64; 3]>,
+/// Lattice of all integer combinations of some vectors: no more than coordinates, in echelon form.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Lattice<const N: usize> {
+    rows: Vec<[i64; N]>,
 }
 
-fn first(row: &[i64; 3]) -> Option<usize> {
+fn first<const N: usize>(row: &[i64; N]) -> Option<usize> {
     row.iter().position(|&x| x != 0)
 }
 
-impl Lattice {
-    fn add(&mut self, mut row: [i64; 3]) {
+impl<const N: usize> Lattice<N> {
+    fn add(&mut self, mut row: [i64; N]) {
         while let Some(at) = first(&row) {
             let Some(known) = self.rows.iter_mut().find(|r| first(r) == Some(at)) else {
                 self.rows.push(row);
@@ -104,7 +104,7 @@ impl Lattice {
     }
 
     /// Unique reduced rows: first entries positive, and entries above a first entry smaller and not negative.
-    pub(crate) fn reduced(&self) -> Vec<[i64; 3]> {
+    pub(crate) fn reduced(&self) -> Vec<[i64; N]> {
         let mut rows = self.rows.clone();
         for row in &mut rows {
             if first(row).is_some_and(|k| row[k] < 0) {
@@ -126,8 +126,8 @@ impl Lattice {
 }
 
 /// The reduced form of what vectors stand for.
-pub(crate) fn reduced(vectors: impl Iterator<Item = [i64; 3]>) -> Vec<[i64; 3]> {
-    let mut lattice = Lattice::default();
+pub(crate) fn reduced<const N: usize>(vectors: impl Iterator<Item = [i64; N]>) -> Vec<[i64; N]> {
+    let mut lattice = Lattice { rows: Vec::new() };
     vectors.for_each(|v| lattice.add(v));
     lattice.reduced()
 }
@@ -141,7 +141,7 @@ mod tests {
         let vectors = [[2, 3, 0], [4, 0, 6], [0, 6, -6], [6, 3, 6], [-2, -3, 0]];
         let mut known: Option<Vec<[i64; 3]>> = None;
         for from in 0..vectors.len() {
-            let mut lattice = Lattice::default();
+            let mut lattice = Lattice { rows: Vec::new() };
             for k in 0..vectors.len() {
                 lattice.add(vectors[(from + 2 * k) % vectors.len()]);
             }

@@ -8,7 +8,6 @@ pub(super) fn along_joint(pair: &LowerPair, to: Configuration) -> Configuration 
     let asked = match pair.joint() {
         Joint::Revolute { .. } => to.theta,
         Joint::Prismatic { direction, .. } => direction.unit().dot(Vector::new(to.x, to.y)),
-        Joint::Rigid => 0.0,
     };
     let t = match pair.limits() {
         Some((lo, hi)) => asked.clamp(lo, hi),

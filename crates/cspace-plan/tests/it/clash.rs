@@ -284,7 +284,7 @@ fn joined_parts_are_not_judged_and_far_ones_are_counted() {
         disc("d", 9.0, 0.0, 1.0),
     ]);
     both.joints.push(JointEntry {
-        joint: Joint::Rigid,
+        joint: Joint::Revolute { at: Point::ORIGIN },
         parts: (1, 0),
     });
     let assembly = Assembly::new(&both);

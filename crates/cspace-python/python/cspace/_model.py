@@ -248,15 +248,17 @@ class Model:
 
     def modes(self, parts: Sequence[str] | None = None, at: Sequence[float] = (0, 0, 0)) -> answers.ModesAnswer:
         """The operating modes of three parts, by name, whose coordinates are u, v and w in that order; of those that move on axes without
-        names. `at` (u, v, w), radians of a part that turns, is the configuration of which the mode is told.
+        names. More parts have coordinates q4, q5 and so on. `at` (u, v, w, ...), radians of a part that turns, is the configuration of
+        which the mode is told; what is left out after w is 0.
 
         >>> model.modes(at=(8, 0, 0)).requested.mode  # doctest: +SKIP
         """
-        if parts is not None and (isinstance(parts, str) or len(parts) != 3):
-            raise Error(f"`parts` is {parts!r} where three names are expected")
-        if isinstance(at, (int, float)) or len(at) != 3:
-            raise Error(f"`at` is {at!r} where three numbers (u, v, w) are expected")
-        where = ",".join(f"{letter}={number('at', t)!r}" for letter, t in zip("uvw", at))
+        if parts is not None and (isinstance(parts, str) or len(parts) < 3):
+            raise Error(f"`parts` is {parts!r} where three names or more are expected")
+        if isinstance(at, (int, float)) or len(at) < 3:
+            raise Error(f"`at` is {at!r} where three numbers (u, v, w) or more are expected")
+        letters = [*"uvw", *(f"q{k}" for k in range(4, len(at) + 1))]
+        where = ",".join(f"{letter}={number('at', t)!r}" for letter, t in zip(letters, at))
         return answers.ModesAnswer(self._ask("modes", parts=None if parts is None else ",".join(parts), at=where))
 
     def simulate(self, time: float, every: float | None = None, forces: bool = False) -> Simulation:

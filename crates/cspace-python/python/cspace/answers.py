@@ -304,6 +304,25 @@ class Backlash(Record):
     """The largest (rad)."""
 
 
+class Cycle(Record):
+    """One cycle of the drives that move two parts."""
+
+    drives: dict[str, float]
+    """Where the driven parts are at the time that is told: angles (rad), or lengths in the model's unit."""
+    halt: Literal['dead-point'] | dict[str, Any] | None
+    """Reason why they go no farther."""
+    halted: dict[str, float] | None
+    """Where the drives are when the parts are halted."""
+    poses: list[list[float]]
+    """Configurations (x, y, θ) of the two parts at that time."""
+    reached: float
+    """The time up to which the parts go (s): the last, unless something halts them."""
+    times: list[float]
+    """Its first and last time (s)."""
+    turns: dict[str, int] | None
+    """Driven parts that turn round, with the number of their turns."""
+
+
 class Stopped(Record):
     """End of a range, or of a turn, to which a part does not come."""
 
@@ -326,6 +345,8 @@ class ClearanceOfPair(Record):
     """When or where that is."""
     backlash: Backlash | None
     """Play of the second part while the first is held, over a turn of the first, where they turn only together; none where something within that play is passed on two sides."""
+    cycle: Cycle | None
+    """Over a cycle, what that is and how far the parts go through it."""
     depth: float | None
     """The length of the shortest translation of the second part that separates parts that overlap; none of others, and of parts with too many edges."""
     fixed: str
@@ -333,14 +354,14 @@ class ClearanceOfPair(Record):
     gap: float | None
     """The least distance, in the model's unit; 0 of boundaries that meet, none of parts that overlap or are joined."""
     least: float | None
-    """Over their ranges, of parts that are clear: no configuration has a smaller distance than this, which is a billionth less than the gap, or 10⁻¹⁰ of the parts' size if that is more; 0 where it could not be proved."""
+    """Over their ranges and over a cycle, of parts that are clear: no configuration has a smaller distance than this, which is a billionth less than the gap, or 10⁻¹⁰ of the parts' size if that is more; less where no more was proved, 0 where nothing was."""
     moving: str
     """Name of the moving part."""
     offset: float | None
     """The smallest distance by which the second of two parts that overlap has to be made smaller all around so that they do not; none of others, over a motion, and where its edges are too small for it."""
     outcome: Literal['done', 'overlaps', 'stopped', 'undecided', 'meets', 'touches', 'meshes', 'clear', 'joined']
     """How it came out."""
-    over: Literal['ranges', 'drawn', 'record']
+    over: Literal['ranges', 'drawn', 'record', 'cycle']
     """The motions over which it is."""
     points: list[list[float]] | None
     """A point of each part in the assembly's frame: the nearest; of parts that overlap those that touch after the translation, the second where it is before."""
@@ -808,13 +829,13 @@ class DriveInfo(Record):
 class JointInfo(Record):
     """A permanent connection of two parts."""
 
-    at: list[float] | None
+    at: list[float]
     """The point that both parts turn about, or a point of the line of sliding."""
     direction: list[float] | None
     """The direction of a slide."""
     parts: list[str]
     """The names of the parts."""
-    type: Literal['revolute', 'prismatic', 'rigid']
+    type: Literal['revolute', 'prismatic']
     """The kind."""
 
 
@@ -889,6 +910,15 @@ class LayerInfo(Record):
     """The lowest and the highest place, in the model's unit of length; none at every height."""
 
 
+class MemberInfo(Record):
+    """A part of the file that is joined rigidly to others."""
+
+    loops: list[int]
+    """The numbers of its first and its last loop."""
+    name: str
+    """Its name, which stands for all of them."""
+
+
 class PartInfo(Record):
     """A part."""
 
@@ -914,6 +944,8 @@ class PartInfo(Record):
     """Closed loops of the outline."""
     mass: float | None
     """Its mass in kg, where the model gives it a mass or a density."""
+    members: list[MemberInfo] | None
+    """The parts of the file that it is made of, if they are joined rigidly."""
     motion: dict[str, Any]
     """How it moves relative to the ground."""
     name: str
@@ -988,17 +1020,6 @@ class InfoAnswer(Record):
     """Version of the form of answers."""
 
 
-class ThreeCoordinates(Record):
-    """A configuration of the three parts, in radians or the model's unit."""
-
-    u: float
-    """Motion of the first part."""
-    v: float
-    """Motion of the second part."""
-    w: float
-    """Motion of the third part."""
-
-
 class Reach(Record):
     """Range of a coordinate that a mode reaches, in radians or the model's unit."""
 
@@ -1010,13 +1031,28 @@ class Reach(Record):
     """The minimum; none if there is none."""
 
 
+class PartCoordinates(Record):
+    """A configuration of the parts, in radians or the model's unit."""
+
+    more: list[float] | None
+    """Motions of the fourth part and those after it, if there are such."""
+    u: float
+    """Motion of the first part."""
+    v: float
+    """Motion of the second part."""
+    w: float
+    """Motion of the third part."""
+
+
 class Mode(Record):
     """A mode."""
 
-    sample: ThreeCoordinates
+    more: list[Reach] | None
+    """Ranges of the coordinates of the fourth part and those after it, if there are such."""
+    sample: PartCoordinates
     """A configuration in the mode."""
     turns: list[list[int]]
-    """The turns of u, v and w by which motions within the mode come back to where they began: all are sums of whole multiples of these."""
+    """The turns of all coordinates by which motions within the mode come back to where they began: all are sums of whole multiples of these."""
     u: Reach
     """Range of u that the mode reaches."""
     v: Reach
@@ -1026,9 +1062,9 @@ class Mode(Record):
 
 
 class Pair(Record):
-    """Two of the three parts."""
+    """Two of the parts."""
 
-    coordinates: list[Literal['u', 'v', 'w']]
+    coordinates: list[str]
     """The coordinates of the fixed and of the moving part."""
     fixed: str
     """The fixed part's name."""
@@ -1043,9 +1079,9 @@ class Pair(Record):
 
 
 class Part(Record):
-    """One of the three parts."""
+    """One of the parts."""
 
-    coordinate: Literal['u', 'v', 'w']
+    coordinate: str
     """Name of its coordinate."""
     motion: Literal['revolute', 'prismatic']
     """How it moves."""
@@ -1058,7 +1094,7 @@ class Part(Record):
 class Requested(Record):
     """Where the configuration is that is asked about."""
 
-    at: ThreeCoordinates
+    at: PartCoordinates
     """The configuration."""
     between: list[str]
     """The parts that touch or overlap, or the one whose range is left."""
@@ -1076,15 +1112,15 @@ class ModesAnswer(Record):
     doubts: int
     """The number of places at which contacts coincide but for rounding; if there are any, the modes are not to be relied upon."""
     left_out: list[list[str]]
-    """Pairs of the model of one of the three parts and another part, which are not considered."""
+    """Pairs of the model of one of the parts and another part, which are not considered."""
     modes: list[Mode]
     """The modes: connected components of the free configurations."""
     outcome: Literal['done', 'blocked']
     """How it came out; of several pairs the worst."""
     pairs: list[Pair]
-    """The pairs of u and v, of v and w, of u and w."""
+    """Pairs of the parts: of three parts those of u and v, of v and w, of u and w; of more those that the model has."""
     parts: list[Part]
-    """The three parts, whose coordinates are u, v and w."""
+    """The parts, whose coordinates are u, v, w, and of those after the third q4, q5 and so on."""
     requested: Requested
     """The configuration that is asked about."""
     seconds: float
@@ -1628,7 +1664,7 @@ Requirement._read = {'at': configuration}
 CheckAnswer._read = {'requirements': Requirement, 'units': Units}
 Backlash._read = {'at': configuration}
 Stopped._read = {'at': configuration}
-ClearanceOfPair._read = {'at': number_or_configuration, 'backlash': Backlash, 'stopped': Stopped}
+ClearanceOfPair._read = {'at': number_or_configuration, 'backlash': Backlash, 'cycle': Cycle, 'stopped': Stopped}
 ClearanceAnswer._read = {'pairs': ClearanceOfPair, 'units': Units}
 FreeRegion._read = {'sample': configuration}
 Counts._read = {'decisions': Decisions}
@@ -1643,10 +1679,10 @@ Overlap._read = {'nearest': configuration}
 Pass._read = {'at': configuration}
 EscapeOfPair._read = {'blocked': Overlap, 'enclosed': EnergyEnclosed, 'passes': Pass, 'path': configuration}
 EnergyAnswer._read = {'pairs': EscapeOfPair, 'units': Units}
-PartInfo._read = {'features': InfoFeatureCount, 'layers': LayerInfo}
+PartInfo._read = {'features': InfoFeatureCount, 'layers': LayerInfo, 'members': MemberInfo}
 InfoAnswer._read = {'drives': DriveInfo, 'joints': JointInfo, 'loads': LoadInfo, 'pairs': PairInfo, 'parameters': Parameter, 'parts': PartInfo, 'springs': SpringInfo, 'units': Units}
-Mode._read = {'sample': ThreeCoordinates, 'u': Reach, 'v': Reach, 'w': Reach}
-Requested._read = {'at': ThreeCoordinates}
+Mode._read = {'more': Reach, 'sample': PartCoordinates, 'u': Reach, 'v': Reach, 'w': Reach}
+Requested._read = {'at': PartCoordinates}
 ModesAnswer._read = {'modes': Mode, 'pairs': Pair, 'parts': Part, 'requested': Requested, 'units': Units}
 Bottleneck._read = {'at': configuration}
 Contact._read = {'at': configuration}

@@ -20,7 +20,7 @@ const GOLDEN: f64 = 0.618_033_988_749_894_9;
 impl Displacement {
     /// Displacement of the parts in each attempt, in the pair's frame: first none, then more than the tolerance for one place, then larger
     /// ones.
-    const LENGTHS: [f64; 6] = [0.0, 1e-10, 1e-9, 1e-9, 1e-8, 1e-8];
+    const LENGTHS: [f64; 6] = [0.0, 1e-10, 1e-9, 1e-9, 4e-9, 4e-9];
 
     /// No displacement.
     pub(super) const NONE: Self = Self(0);

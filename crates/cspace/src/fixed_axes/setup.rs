@@ -18,7 +18,7 @@ const FARTHEST: f64 = 32.0;
 /// The smallest angle between two slides neither of which has a range (radians and sine): below it they meet more than a million sizes
 /// away, where rounding exceeds the resolution.
 const LEAST_ANGLE: f64 = 1.0 / (1u64 << 20) as f64;
-/// Distance of pivots below which they are united (pair's frame): the largest displacement by a [`Displacement`].
+/// Distance of pivots below which they are united (pair's frame): more than the largest displacement by a [`Displacement`].
 const SAME_PIVOT: f64 = 1e-8;
 /// Angle of slides below which they are parallel (radians): their sides cannot be distinguished better.
 const SAME_DIRECTION: f64 = 1e-10;

@@ -70,7 +70,6 @@ impl LowerPair {
                 let unit = direction.unit();
                 at.is_finite() && (unit.length() - 1.0).abs() < 1e-9
             }
-            Joint::Rigid => true,
         };
         if !sound {
             return whole(

@@ -27,8 +27,6 @@ pub enum Joint {
         /// A point of the line of sliding. Any point will do: it changes what is drawn, not how the parts move.
         at: Point,
     },
-    /// The parts are rigidly connected.
-    Rigid,
 }
 
 /// A permanent contact that follows from a joint.
@@ -63,7 +61,6 @@ pub enum PermanentKind {
 /// |---|---|---|
 /// | revolute at c | point/arc | (c − `R_t` c, t) |
 /// | prismatic along d | two of point/line | (t d / \|d\|, 0) |
-/// | rigid | point/arc and point/line | (0, 0) |
 ///
 /// ```
 /// use cspace::{Configuration, Location, Part, Point, Vertex};
@@ -164,7 +161,7 @@ impl LowerPair {
     }
 
     /// The configuration of the joint after a motion by `t`: an angle in radians for a revolute joint, a length for a
-    /// prismatic one. A rigid joint has one configuration.
+    /// prismatic one.
     pub fn configuration(&self, t: f64) -> Configuration {
         match self.joint {
             Joint::Revolute { at } => {
@@ -175,7 +172,6 @@ impl LowerPair {
                 let p = direction.unit() * t;
                 Configuration::new(p.x, p.y, 0.0)
             }
-            Joint::Rigid => Configuration::default(),
         }
     }
 
@@ -217,7 +213,6 @@ impl LowerPair {
                 let t = direction.unit().dot(c.position().to_vector());
                 (t, 0.0, self.resolution())
             }
-            Joint::Rigid => return Some(0.0),
         };
         let Some((lo, hi)) = self.limits else {
             return Some(t);
@@ -268,11 +263,6 @@ fn table(joint: Joint) -> Vec<PermanentContact> {
                 point_line(normal, at, at),
                 point_line(normal, at, at + along),
             ]
-        }
-        Joint::Rigid => {
-            let normal = Vector::new(0.0, 1.0);
-            let aside = Point::new(1.0, 0.0);
-            vec![point_arc(Point::ORIGIN), point_line(normal, aside, aside)]
         }
     }
 }

@@ -43,6 +43,13 @@ impl Part {
         (self.layers).partition_point(|layer| layer.loops.end <= loop_index)
     }
 
+    /// Whether a loop bounds the part at a height. Loops that several layers have alike, such as a bore, are one, wherever it is asked for.
+    pub fn bounds_at(&self, loop_index: usize, height: f64) -> bool {
+        let own = &self.loops[loop_index];
+        let mut there = self.layers.iter().filter(|layer| layer.is_at(height));
+        there.any(|layer| self.loops[layer.loops()].contains(own))
+    }
+
     /// Whether two parts are at a common height: others never touch.
     pub fn meets(&self, other: &Self) -> bool {
         (self.layers.iter()).any(|a| other.layers.iter().any(|b| a.meets(b)))

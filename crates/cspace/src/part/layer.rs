@@ -28,6 +28,11 @@ impl Layer {
         self.loops.clone()
     }
 
+    /// Whether the layer is at a height: from its lowest place on, and below its highest.
+    pub fn is_at(&self, height: f64) -> bool {
+        self.z.is_none_or(|[lo, hi]| lo <= height && height < hi)
+    }
+
     /// Whether the heights of two layers overlap by more than nothing: faces that only touch do not meet.
     pub fn meets(&self, other: &Self) -> bool {
         meet(self.z, other.z)

@@ -224,11 +224,12 @@ impl Part {
                 vertices: l.vertices.iter().map(vertex).collect(),
                 reversed: l.reversed,
             };
-            for layer in &part.layers {
+            for (i, layer) in part.layers.iter().enumerate() {
                 let first = loops.len();
                 loops.extend(part.loops[layer.loops()].iter().map(moved));
                 match layers.last_mut() {
-                    Some(last) if last.z == layer.z => last.loops.end = loops.len(),
+                    // Layers of one part may cross, and stay apart.
+                    Some(last) if i == 0 && last.z == layer.z => last.loops.end = loops.len(),
                     _ => layers.push(Layer {
                         z: layer.z,
                         loops: first..loops.len(),

@@ -26,6 +26,7 @@ mod part_feature;
 mod status;
 mod sweep;
 mod symmetry;
+mod together;
 pub mod tolerance;
 mod vertex;
 #[cfg(feature = "serde")]

@@ -53,7 +53,10 @@ fn saved() -> Vec<String> {
         Axis::prismatic(Vector::new(1.0, 0.5)),
     ];
     let axes = FixedAxesSpace::compute(&fixed, axes[0], &moving, axes[1]).map(Box::new);
-    let lower = LowerPair::new(&fixed, &moving, Joint::Rigid, None);
+    let hinge = Joint::Revolute {
+        at: Point::new(0.0, 0.0),
+    };
+    let lower = LowerPair::new(&fixed, &moving, hinge, None);
     let spaces = [
         planar.ok().map(PairSpace::Planar),
         axes.ok().map(PairSpace::FixedAxes),

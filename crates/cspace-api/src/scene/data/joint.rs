@@ -13,8 +13,8 @@ pub struct SceneJoint {
     pub kind: JointKind,
     /// Indices of the two parts.
     pub parts: (usize, usize),
-    /// Position, in the assembly's frame at zero motion; `None` for a rigid joint.
-    pub at: Option<Point>,
+    /// Position, in the assembly's frame at zero motion.
+    pub at: Point,
     /// The direction of sliding.
     pub direction: Option<Vector>,
 }
@@ -27,17 +27,14 @@ pub enum JointKind {
     Revolute,
     /// Sliding.
     Prismatic,
-    /// No freedom.
-    Rigid,
 }
 
 impl SceneJoint {
     /// A joint as the scene has it.
     pub fn of(entry: &JointEntry) -> Self {
         let (kind, at, direction) = match entry.joint {
-            Joint::Revolute { at } => (JointKind::Revolute, Some(at), None),
-            Joint::Prismatic { direction, at } => (JointKind::Prismatic, Some(at), Some(direction)),
-            Joint::Rigid => (JointKind::Rigid, None, None),
+            Joint::Revolute { at } => (JointKind::Revolute, at, None),
+            Joint::Prismatic { direction, at } => (JointKind::Prismatic, at, Some(direction)),
         };
         Self {
             kind,

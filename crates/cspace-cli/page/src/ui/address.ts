@@ -14,12 +14,14 @@ export interface Address {
   colouring?: Colouring;
   hidden?: number[];
   cut?: boolean;
+  /** The height that is looked at alone. */
+  height?: number | null;
   /** The camera of the 3-D view: azimuth, elevation (radians), distance in sizes of the space, and what it looks at in the same. */
   camera?: number[];
 }
 
 /** What is as always is not in an address. */
-export const USUAL = { theme: "auto", stop: true, colouring: "region", cut: false } as const satisfies Address & { theme: Theme };
+export const USUAL = { theme: "auto", stop: true, colouring: "region", cut: false, height: null } as const satisfies Address & { theme: Theme };
 
 /** How many numbers describe a camera. */
 const CAMERA_NUMBERS = 6;
@@ -46,6 +48,8 @@ export function readAddress(fragment: string, scene: Scene): Address {
   if (colouring === "region" || colouring === "kind") address.colouring = colouring;
   const cut = query.get("cut");
   if (cut === "0" || cut === "1") address.cut = cut === "1";
+  const height = number(query.get("height"));
+  if (height !== undefined) address.height = height;
   const hidden = numbers(query.get("hidden"))?.filter((r) => Number.isInteger(r) && r >= 0);
   if (hidden) address.hidden = hidden;
   const camera = numbers(query.get("camera"));
@@ -66,6 +70,7 @@ export function writeAddress(state: Readonly<State>, camera: readonly number[] |
   if (state.stop !== USUAL.stop) query.set("stop", "0");
   if (state.colouring !== USUAL.colouring) query.set("colours", state.colouring);
   if (state.cut) query.set("cut", "1");
+  if (state.height !== USUAL.height) query.set("height", String(state.height));
   if (state.hidden.size > 0) query.set("hidden", [...state.hidden].join());
   if (camera) query.set("camera", camera.map((n) => Number(n.toPrecision(4))).join());
   return `#${query}`;

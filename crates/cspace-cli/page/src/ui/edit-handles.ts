@@ -26,12 +26,13 @@ const HANDLE = 4.5;
 /** How near to an edge a double click adds a vertex to it, in pixels. */
 const ON_EDGE = 10;
 
-/** Handles of some of the parts. */
+/** Handles of some of the parts, and of these of the loops that are at the height that is looked at. */
 export class Handles {
   constructor(
     private readonly edited: readonly Edited[],
     private readonly placements: readonly Placement[],
     private readonly parts: readonly number[],
+    private readonly loops: readonly ReadonlySet<number>[],
   ) {}
 
   private all(): Handle[] {
@@ -39,7 +40,7 @@ export class Handles {
       const e = this.edited[part];
       if (!e) return [];
       const handles: Handle[] = e.loops.flatMap((loop, l) =>
-        loop.flatMap((_, i): Handle[] => [
+        (this.isSeen(part, l) ? loop : []).flatMap((_, i): Handle[] => [
           { kind: "bulge", part, loop: l, index: i },
           { kind: "vertex", part, loop: l, index: i },
         ]),
@@ -47,6 +48,10 @@ export class Handles {
       if (e.motion.type === "revolute") handles.push({ kind: "pivot", part });
       return handles;
     });
+  }
+
+  private isSeen(part: number, loop: number): boolean {
+    return this.loops[part]?.has(loop) ?? true;
   }
 
   /** In the assembly. */
@@ -93,7 +98,7 @@ export class Handles {
       const own = apply(inverse(this.placements[part] ?? IDENTITY), at);
       this.edited[part]?.loops.forEach((loop, l) =>
         loop.forEach((_, index) => {
-          const edge = edgeOf(loop, index);
+          const edge = this.isSeen(part, l) ? edgeOf(loop, index) : null;
           const on = edge ? nearestOn(edge, own).at : null;
           const away = on ? Math.hypot(on.x - own.x, on.y - own.y) : Infinity;
           if (away < least) [least, found] = [away, { of: { kind: "vertex", part, loop: l, index }, own }];

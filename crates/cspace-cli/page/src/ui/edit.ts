@@ -6,6 +6,7 @@ import { Handles } from "./edit-handles.js";
 import type { Edited, Handle, VertexHandle } from "./edit-handles.js";
 import { addVertex, bend, moveVertex, removeVertex, setRadius } from "./edit-shape.js";
 import type { Loop } from "./edit-shape.js";
+import { loopsAt } from "./heights.js";
 import { isAxes } from "./mechanism.js";
 import { arcOf, edgeOf } from "./outline.js";
 import { IDENTITY, apply, inverse } from "./placement.js";
@@ -225,7 +226,8 @@ export class Editor {
 
   get #handles(): Handles {
     const { pair, state } = this.#session;
-    return new Handles(this.#shape.parts, state.placements, pair && state.editing ? [pair.fixed, pair.moving] : []);
+    const loops = state.parts.map((part) => new Set(loopsAt(part, this.#session.interval)));
+    return new Handles(this.#shape.parts, state.placements, pair && state.editing ? [pair.fixed, pair.moving] : [], loops);
   }
 
   handles(viewport: Viewport): SVGElement[] {

@@ -22,6 +22,7 @@ const POINTER: [string, string][] = [
   ["wheel over the moving part", "turns it; anywhere with Shift (with Alt ten times finer)"],
   ["drag the point", "moves the configuration in the slice; in 3-D with Shift up and down, which turns the part"],
   ["drag beside them", "moves the picture, or looks from elsewhere; wheel or two fingers zoom, a double click shows all"],
+  ["click in the side view", "shows what is at that height alone; another click shows all heights"],
   ["double click an edge", "adds a vertex to it, while parts are edited"],
   ["drop a file", "plays what cspace plan or cspace simulate prints with --json"],
 ];

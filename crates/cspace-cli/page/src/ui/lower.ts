@@ -5,7 +5,7 @@ import type { LowerSpace, Place, ScenePair } from "../scene.js";
 import { ofMotion, turnAbout, unit } from "./placement.js";
 
 export interface LowerPair {
-  type: "revolute" | "prismatic" | "rigid";
+  type: "revolute" | "prismatic";
   limits: [number, number] | null;
   /** Where a revolute joint is, in the fixed part's frame. */
   pivot: Place | null;
@@ -23,15 +23,13 @@ export function lowerPair(pair: ScenePair): LowerPair | null {
     const at = joint.at;
     return { type: joint.type, limits, pivot: at, at: (s) => turnAbout(at, held(s)), coordinate: (c) => held(c.theta) };
   }
-  if (joint.type === "prismatic" && joint.direction) {
-    const direction = unit(joint.direction);
-    return {
-      type: joint.type,
-      limits,
-      pivot: null,
-      at: (s) => ofMotion({ type: "prismatic", direction, range: null }, held(s)),
-      coordinate: (c) => held(c.x * direction.x + c.y * direction.y),
-    };
-  }
-  return { type: "rigid", limits: [0, 0], pivot: null, at: () => ({ x: 0, y: 0, theta: 0 }), coordinate: () => 0 };
+  if (!joint.direction) return null;
+  const direction = unit(joint.direction);
+  return {
+    type: "prismatic",
+    limits,
+    pivot: null,
+    at: (s) => ofMotion({ type: "prismatic", direction, range: null }, held(s)),
+    coordinate: (c) => held(c.x * direction.x + c.y * direction.y),
+  };
 }

@@ -5,6 +5,7 @@ import { distanceOf } from "./distance.js";
 import type { Measured } from "./distance.js";
 import { svg } from "./dom.js";
 import { nearestOn } from "./edit-shape.js";
+import { loopsAt } from "./heights.js";
 import { length, rounded } from "./numbers.js";
 import { arcOf, edgeOf, edgePath } from "./outline.js";
 import type { Edge } from "./outline.js";
@@ -50,12 +51,13 @@ export class Measure {
 
   #at(at: Place): Picked | null {
     const { parts, placements } = this.#session.state;
+    const { interval } = this.#session;
     const near = NEAR * this.#viewport.pixel.x;
     let found: Picked | null = null;
     let least = Infinity;
     parts.forEach((part, p) =>
-      part.loops.forEach((loop, l) =>
-        loop.forEach((_, index) => {
+      loopsAt(part, interval).forEach((l) =>
+        part.loops[l]?.forEach((_, index) => {
           const edge = placedEdge(part, l, index, placements[p] ?? IDENTITY);
           if (!edge) return;
           const on = nearestOn(edge, at).at;

@@ -91,8 +91,7 @@ function same(a: Placement | undefined, b: Placement | undefined): boolean {
 function follower(scene: Scene, joint: SceneJoint, other: number, partner: Placement, partnerBefore: Placement, before: Placement): Placement | null {
   const motion = scene.parts[other]?.motion ?? { type: "fixed" };
   if (motion.type === "fixed") return null;
-  if (joint.type === "rigid") return partner;
-  if (joint.type === "revolute" && joint.at) return hinged(motion, joint.at, apply(partner, joint.at), before);
+  if (joint.type === "revolute") return hinged(motion, joint.at, apply(partner, joint.at), before);
   if (joint.type === "prismatic" && motion.type === "planar") return compose(partner, relative(partnerBefore, before));
   return null;
 }

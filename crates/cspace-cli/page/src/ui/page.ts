@@ -28,6 +28,7 @@ import { Session } from "./session.js";
 import { SliceView } from "./slice-view.js";
 import { SpaceView } from "./space-view.js";
 import type { Key } from "./state.js";
+import { StackView } from "./stack-view.js";
 import { VerdictView } from "./verdict-view.js";
 import { applyTheme, onSystemTheme } from "./theme.js";
 import { ThetaSlider } from "./theta-slider.js";
@@ -63,6 +64,7 @@ export function openPage({ scene, isOpened }: Shown, worker: string): void {
   const partsView = new PartsView(byId("parts"), session, editor, hand);
   let design: DesignPanel | null = null;
   const contacts = editor && workshop ? new ContactHand(session, workshop, editor, () => design?.spans ?? []) : null;
+  const stackView = new StackView(byId("stack"), session);
   const sliceView = new SliceView(byId("slice"), session, contacts);
   const planeView = new PlaneView(byId("plane"), session, contacts);
   const spaceView = openSpaceView(session, address.camera ?? null);
@@ -89,10 +91,11 @@ export function openPage({ scene, isOpened }: Shown, worker: string): void {
   };
   const panes = (): Pane[] => {
     const pair = session.pair;
-    if (pair?.class === "fixed-axes") return [partsView.viewport.svg, planeView.viewport.svg];
-    if (!session.planar) return [partsView.viewport.svg];
+    const parts = [partsView.viewport.svg, ...(stackView.isShown ? [stackView.svg] : [])];
+    if (pair?.class === "fixed-axes") return [...parts, planeView.viewport.svg];
+    if (!session.planar) return parts;
     spaceView?.drawNow();
-    return [partsView.viewport.svg, ...(spaceView ? [spaceView.canvas] : []), sliceView.viewport.svg];
+    return [...parts, ...(spaceView ? [spaceView.canvas] : []), sliceView.viewport.svg];
   };
   const made = () => picture(panes(), getComputedStyle(byId("left")).backgroundColor, scene.name);
   const openFile = async (file: File) => {
@@ -237,8 +240,8 @@ function keepAddress(session: Session, spaceView: SpaceView | null): void {
   window.addEventListener("hashchange", () => {
     if (location.hash === written) return;
     const to = readAddress(location.hash, session.scene);
-    const { theme, stop, colouring, cut } = { ...USUAL, ...to };
-    store.change({ theme, stop, colouring, cut, hidden: new Set(to.hidden ?? []) });
+    const { theme, stop, colouring, cut, height } = { ...USUAL, ...to };
+    store.change({ theme, stop, colouring, cut, height, hidden: new Set(to.hidden ?? []) });
     if (to.camera) spaceView?.setCamera(to.camera);
     else spaceView?.lookFromTheFront();
     if (to.pair !== undefined && to.pair !== store.state.pair) void session.select(to.pair, to.configuration ?? null);

@@ -1,9 +1,14 @@
-/** The parts, to scale, where they are in the assembly. Those of the selected pair can be dragged. */
+/**
+ * The parts, to scale, where they are in the assembly. Those of the selected pair can be dragged. Where one height is looked at alone,
+ * layers at others are faint, and let the pointer through.
+ */
 
+import type { Touch } from "../kernel/api.js";
 import type { Place, ScenePart } from "../scene.js";
 import { set, svg } from "./dom.js";
 import { DragGoal } from "./drag-goal.js";
 import type { Editor } from "./edit.js";
+import { isAt, partAt, touchesAt } from "./heights.js";
 import { lowerPair } from "./lower.js";
 import { Measure } from "./measure.js";
 import { placed } from "./mechanism.js";
@@ -46,6 +51,8 @@ export class PartsView {
   readonly #marks: SVGGElement;
   readonly #handles: SVGGElement;
   #drawn: Drawn[] = [];
+  /** The parts as they are at the height that is looked at. */
+  #seen: ScenePart[] = [];
 
   constructor(parent: HTMLElement, session: Session, editor: Editor | null, hand: MechanismHand | null) {
     this.#session = session;
@@ -98,13 +105,14 @@ export class PartsView {
 
   #update(changed: ReadonlySet<Key>, state: Readonly<State>): void {
     if (changed.has("parts")) this.#build(state);
+    if (changed.has("parts") || changed.has("height")) this.#atHeight(state);
     if (changed.has("pair") || changed.has("parts") || changed.has("held")) this.#classes();
     if (changed.has("placements") || changed.has("parts")) {
       this.#drawn.forEach((d, i) => set(d.group, { transform: matrix(state.placements[i] ?? IDENTITY) }));
     }
-    if (changed.has("where") || changed.has("parts")) this.#touching(state);
+    if (changed.has("where") || changed.has("parts") || changed.has("height")) this.#touching();
     if (changed.has("record") && state.record) this.fit();
-    if (["placements", "where", "parts", "pair", "editing", "measuring"].some((k) => changed.has(k as Key))) this.#drawOverlay();
+    if (["placements", "where", "parts", "pair", "editing", "measuring", "height"].some((k) => changed.has(k as Key))) this.#drawOverlay();
   }
 
   #build(state: Readonly<State>): void {
@@ -120,18 +128,41 @@ export class PartsView {
         drawn = { part, group, layers, grip, touching };
         this.#drawn[i] = drawn;
       }
-      if (drawn.part === part && drawn.grip.hasAttribute("d")) return;
+      if (drawn.part === part && drawn.layers.hasChildNodes()) return;
       drawn.part = part;
-      set(drawn.grip, { d: outlinePath(part.loops) });
       const { layers } = drawn;
       while (layers.children.length > part.layers.length) layers.lastChild?.remove();
       part.layers.forEach(({ z, loops }, k) => {
         const path = layers.children[k] ?? layers.appendChild(svg("path", {}, svg("title", {})));
-        const d = outlinePath(loops.map((l) => part.loops[l] ?? []));
-        set(path, { class: part.layers.length > 1 ? "outline layer" : "outline", d });
+        set(path, { d: outlinePath(loops.map((l) => part.loops[l] ?? [])) });
         if (path.firstChild) path.firstChild.textContent = z ? `${part.name}, z ${z[0]} to ${z[1]}` : part.name;
       });
     });
+  }
+
+  #atHeight(state: Readonly<State>): void {
+    const { interval } = this.#session;
+    this.#seen = state.parts.map((part) => partAt(part, interval));
+    set(this.#parts, { class: interval ? "at-height" : null });
+    this.#drawn.forEach(({ part, layers, grip }, i) => {
+      set(grip, { d: outlinePath(this.#seen[i]?.loops ?? []) });
+      part.layers.forEach(({ z }, k) => {
+        const kind = !isAt(z, interval) ? " away" : part.layers.length > 1 && !interval ? " layer" : "";
+        const path = layers.children[k];
+        if (path) set(path, { class: `outline${kind}` });
+      });
+    });
+  }
+
+  /** What touches at the height that is looked at. */
+  get #touches(): Touch[] {
+    const { pair, state, interval } = this.#session;
+    const touches = (part: number | undefined, feature: string) => {
+      const of = part === undefined ? undefined : state.parts[part];
+      const place = of && featurePlace(of, feature);
+      return !place || touchesAt(of, place.loop, interval);
+    };
+    return state.where.touching.filter((touch) => touches(pair?.fixed, touch.fixed) && touches(pair?.moving, touch.moving));
   }
 
   #classes(): void {
@@ -148,11 +179,11 @@ export class PartsView {
     }
   }
 
-  #touching(state: Readonly<State>): void {
+  #touching(): void {
     const pair = this.#session.pair;
     this.#drawn.forEach((d) => d.touching.replaceChildren());
     if (!pair) return;
-    for (const touch of state.where.touching) {
+    for (const touch of this.#touches) {
       for (const [index, name] of [[pair.fixed, touch.fixed] as const, [pair.moving, touch.moving] as const]) {
         const d = this.#drawn[index];
         const place = d ? featurePlace(d.part, name) : null;
@@ -174,12 +205,12 @@ export class PartsView {
     const { state, pair } = { state: this.#session.state, pair: this.#session.pair };
     this.#pivots.replaceChildren(...this.#pivotMarks());
     const centers = state.parts.flatMap(({ motion }) => (motion.type === "revolute" ? [this.viewport.toScreen(motion.center)] : []));
-    this.#names.draw(this.viewport, state.parts, state.placements, pair, centers);
+    this.#names.draw(this.viewport, this.#seen, state.placements, pair, centers);
     this.#measure.draw();
     const marks: SVGElement[] = [];
     if (pair) {
       const frame = this.#session.axes ? IDENTITY : (state.placements[pair.fixed] ?? IDENTITY);
-      for (const touch of state.where.touching) {
+      for (const touch of this.#touches) {
         const at = this.viewport.toScreen(apply(frame, { x: touch.at[0], y: touch.at[1] }));
         const n = rotate({ x: touch.normal[0], y: touch.normal[1] }, frame.theta);
         const tip = { x: at.x + NORMAL_ARROW * n.x, y: at.y - NORMAL_ARROW * n.y };
@@ -214,7 +245,7 @@ export class PartsView {
       }
     });
     for (const joint of scene.joints) {
-      if (joint.at) pivot(apply(state.placements[joint.parts[0]] ?? IDENTITY, joint.at), "pivot joint", `${joint.type} joint`);
+      pivot(apply(state.placements[joint.parts[0]] ?? IDENTITY, joint.at), "pivot joint", `${joint.type} joint`);
     }
     return marks;
   }

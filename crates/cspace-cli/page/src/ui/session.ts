@@ -6,6 +6,8 @@ import type { Scene, ScenePair } from "../scene.js";
 import { USUAL } from "./address.js";
 import type { Address } from "./address.js";
 import { firstPair } from "./first-pair.js";
+import { intervalAt } from "./heights.js";
+import type { Interval } from "./heights.js";
 import { lowerPair } from "./lower.js";
 import { atRest, configurationOf, hasAxes, isAxes, isPlanar, placed } from "./mechanism.js";
 import type { Anchor } from "./mechanism.js";
@@ -61,6 +63,7 @@ export class Session {
       playing: false,
       speed: 1,
       editing: false,
+      height: address.height ?? USUAL.height,
       measuring: false,
       outdated: false,
       whole: false,
@@ -86,6 +89,11 @@ export class Session {
 
   get pair(): ScenePair | undefined {
     return this.scene.pairs[this.state.pair];
+  }
+
+  /** The heights that are looked at alone; null for all. */
+  get interval(): Interval | null {
+    return intervalAt(this.state.parts, this.state.height);
   }
 
   get kernel(): Kernel | null {
@@ -353,7 +361,7 @@ export class Session {
   lowerText(pair: ScenePair): string {
     const lower = lowerPair(pair);
     if (!lower) return "There is no configuration space of this pair to show.";
-    const text = { revolute: "turn about a pivot", prismatic: "slide along a line", rigid: "are joined rigidly" }[lower.type];
+    const text = { revolute: "turn about a pivot", prismatic: "slide along a line" }[lower.type];
     return `The two parts ${text}: a lower pair, whose joint is its whole configuration space.`;
   }
 

@@ -51,6 +51,8 @@ export interface State {
   playing: boolean;
   speed: number;
   editing: boolean;
+  /** The height that is looked at alone, of parts that are stacks of layers; null for all. */
+  height: number | null;
   /** Whether clicks on parts measure distances. */
   measuring: boolean;
   /** Whether the space is of a shape before the one that is drawn, which has none. */

@@ -52,7 +52,7 @@ export class ThetaSlider {
       return { lo, hi, round: fullTurn, value: fullTurn ? wrap(c.theta, lo) : c.theta, angle: true };
     }
     const lower = lowerPair(pair);
-    if (!lower || lower.type === "rigid") return null;
+    if (!lower) return null;
     const angle = lower.type === "revolute";
     const [lo, hi] = lower.limits ?? (angle ? [-Math.PI, Math.PI] : [-UNLIMITED, UNLIMITED]);
     const value = lower.coordinate(c);

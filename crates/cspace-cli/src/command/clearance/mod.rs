@@ -2,12 +2,15 @@
 
 mod picture;
 
+use std::collections::BTreeMap;
 use std::fmt::{self, Write};
 use std::path::PathBuf;
 
 use clap::Args;
 use cspace::Coordinates;
-use cspace_api::clearance::{At, Clearance, Clearances, End, Outcome, Over, Question, Stopped};
+use cspace_api::clearance::{
+    At, Clearance, Clearances, End, Halt, Outcome, Over, Question, Stopped,
+};
 use cspace_api::{Outcome as _, PairAnswer};
 use cspace_model::{Mechanism, shown};
 
@@ -32,9 +35,12 @@ Examples:
 Every two parts, the worst first. Two that each turn, slide or stand still by
 their `motion` are looked at over all motions that their ranges allow: one that
 turns and has no range makes whole turns. Their contact space decides, so that
-nothing between two poses is missed. Others are looked at as drawn.
+nothing between two poses is missed. Parts that joints carry and drives move are
+looked at over one cycle of the drives: bounds of their motion decide, between
+any two times. Others are looked at as drawn.
 
-  overlaps  as drawn; with the depth: the length of the shortest translation of
+  overlaps  over a cycle, with the time of the first touch; as drawn,
+            with the depth: the length of the shortest translation of
             the second part that separates the two, neither of them turned; and
             by how much smaller it would be clear, where that is less
   touches   over their ranges, with what stops which part where; as drawn, the
@@ -126,7 +132,10 @@ pub(crate) fn run(args: &ClearanceArgs) -> Result<(), Failure> {
         let words = Words {
             model: &model.model.mechanism,
             unit: (subject.unit()).map_or(String::new(), |u| format!(" {}", shown::text(u))),
-            is_over_ranges: found.pairs.iter().any(|p| p.content.over == Over::Ranges),
+            is_over_ranges: found
+                .pairs
+                .iter()
+                .any(|p| matches!(p.content.over, Over::Ranges | Over::Cycle)),
         };
         words.describe(text, found)
     })
@@ -188,6 +197,7 @@ impl Words<'_> {
             write!(text, "{:<8} {far:>14}  {a}, {b}", answer.outcome.word())?;
             match pair.over {
                 Over::Ranges => self.over_ranges(text, answer)?,
+                Over::Cycle => self.over_cycle(text, pair)?,
                 Over::Drawn if self.is_over_ranges && answer.outcome != Outcome::Joined => {
                     write!(text, "  as drawn")?;
                 }
@@ -216,6 +226,51 @@ impl Words<'_> {
             writeln!(text)?;
         }
         Ok(())
+    }
+
+    /// Tells what a cycle is, how far the parts go through it, and where drives are at the time that is told.
+    fn over_cycle(&self, text: &mut String, pair: &Clearance) -> fmt::Result {
+        let Some(cycle) = &pair.cycle else {
+            return Ok(());
+        };
+        let turns: Vec<String> = (cycle.turns.iter())
+            .map(|(part, turns)| {
+                let part = shown::text(part);
+                match turns {
+                    1 => format!("one turn of {part}"),
+                    more => format!("{more} turns of {part}"),
+                }
+            })
+            .collect();
+        let drives = |at: &BTreeMap<String, f64>| -> String {
+            let each = at.iter().map(|(part, &value)| {
+                let far = match cycle.angles.contains(part) {
+                    true => degrees(value),
+                    false => format!("{}{}", length(value), self.unit),
+                };
+                format!("{} {far}", shown::text(part))
+            });
+            each.collect::<Vec<_>>().join(", ")
+        };
+        match turns.is_empty() {
+            true => {
+                let [from, to] = cycle.times.map(length);
+                write!(text, "  over t {from} to {to}")?;
+            }
+            false => write!(text, "  over {}", turns.join(" and "))?,
+        }
+        if let Some(halt) = &cycle.halt {
+            let why = match halt {
+                Halt::DeadPoint => "a dead point of the joints".to_owned(),
+                Halt::Range(part) => format!("the end of the range of {}", shown::text(part)),
+            };
+            write!(text, ", which stops at {}: {why}", drives(&cycle.halted))?;
+        }
+        let verb = match pair.gap {
+            Some(gap) if gap > 0.0 => "at",
+            _ => "from",
+        };
+        write!(text, "  {verb} {}", drives(&cycle.drives))
     }
 
     /// Tells what is found of a pair over its ranges.

@@ -60,9 +60,12 @@ fn frame<'a>(
         let number = model.parts.iter().position(named)?;
         let entry = &model.parts[number];
         let moved = |axis: cspace::Axis| axis.configuration(motions[k]);
+        let pose = content.cycle.as_ref().map(|cycle| cycle.poses[k]);
+        let pose = pose.map(|[x, y, theta]| Configuration::new(x, y, theta));
         Some(PlacedPart {
             part: &entry.part,
-            assembly_from_part: entry.axis.map_or(Configuration::default(), moved),
+            assembly_from_part: pose
+                .unwrap_or_else(|| entry.axis.map_or(Configuration::default(), moved)),
             axis: entry.axis,
             number,
         })

@@ -108,7 +108,6 @@ fn describe_joint(
             format!("prismatic along {}", place((direction.x, direction.y))),
             false,
         ),
-        Joint::Rigid => ("rigid".to_owned(), false),
     };
     write!(text, "  joint          {what}")?;
     match limits {

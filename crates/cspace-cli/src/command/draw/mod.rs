@@ -5,7 +5,8 @@ mod outlines;
 
 use clap::Args;
 use cspace::{
-    Axis, Configuration, Coordinates, Location, PairSpace, Point, QueryError, Rotation, Vector,
+    Axis, Configuration, Coordinates, FeatureName, Layer, Location, PairSpace, Part, Point,
+    QueryError, Rotation, Vector,
 };
 pub(crate) use outlines::{check_version, is_dxf, write as write_outlines};
 
@@ -36,7 +37,8 @@ of the pair at the configuration, and the features that touch there are marked
 by a point and the normal of the fixed part. A cross with a long and a short
 arm is the x and y axis of a part's frame, a ring the pivot of a part that
 turns, a double arrow the direction of one that slides. With --labels all
-vertices are numbered as in the file, loop and index from 0. Without -o the
+vertices are numbered as in the file, loop and index from 0. With --height
+layers that are not there are thin outlines, or left out of DXF. Without -o the
 picture is SVG on standard output.
 
 FILE may be a drawing too: what of it makes no part is red. An output that ends
@@ -60,6 +62,9 @@ pub(crate) struct DrawArgs {
     /// The configuration of the pair: x,y,theta, or u,v on fixed axes; what touches there is marked [default: as drawn]
     #[arg(long, value_name = "C", allow_hyphen_values = true)]
     pub(crate) at: Option<Given>,
+    /// Draw what is at this height alone, of parts with layers
+    #[arg(long, value_name = "Z", allow_hyphen_values = true)]
+    pub(crate) height: Option<f64>,
     #[command(flatten)]
     pub(crate) picture: PictureArgs,
 }
@@ -88,39 +93,62 @@ pub(crate) fn run(args: &DrawArgs) -> Result<Option<String>, Failure> {
         }
     };
     if is_drawing {
+        if args.height.is_some() {
+            return Err(Failure::new("--height is about the layers of a model")
+                .help("leave the option out: a drawing is flat"));
+        }
         output::check(output)?;
         return drawing::run(args, format);
     }
     let (subject, host) = ask::open(common)?;
     subject.warn(&host);
     let sheet = |title| (args.picture).options(Plane::Positions, title, subject.unit());
-    let drawn = scene(&subject, &host, (&args.named, args.at.as_ref()), sheet)?;
-    picture::write(output, format, &drawn)?;
+    let shown = Shown {
+        named: &args.named,
+        at: args.at.as_ref(),
+        height: args.height,
+    };
+    picture::write(output, format, &scene(&subject, &host, shown, sheet)?)?;
     Ok(subject.unit().map(str::to_owned))
+}
+
+/// What of a model is drawn.
+pub(crate) struct Shown<'a> {
+    /// The pair.
+    pub(crate) named: &'a Named,
+    /// Its configuration.
+    pub(crate) at: Option<&'a Given>,
+    /// The height alone that is drawn in full.
+    pub(crate) height: Option<f64>,
 }
 
 /// The parts of a model as they are drawn, or a pair at a configuration if one of the two is given, on a sheet with a title.
 pub(crate) fn scene(
     subject: &Subject,
     host: &dyn Host,
-    (named, at): (&Named, Option<&Given>),
+    shown: Shown<'_>,
     sheet: impl FnOnce(String) -> Result<PictureOptions, Failure>,
 ) -> Result<Scene, Failure> {
-    let one = named.pair.is_some() || at.is_some();
-    if let Subject::Model(file) = subject
-        && !one
-    {
-        let model = &file.model.mechanism;
-        return Ok(parts(&assembly(model), &sheet(model.name.clone())?));
-    }
-    let pair = subject.one_pair(&named.clone().into(), host)?;
-    let at = match at {
-        Some(at) => pair.coordinates("at", at)?,
-        None => as_drawn(&pair),
+    let one = shown.named.pair.is_some() || shown.at.is_some();
+    let pair;
+    let (mut drawn, title) = match subject {
+        Subject::Model(file) if !one => {
+            let model = &file.model.mechanism;
+            (assembly(model), model.name.clone())
+        }
+        _ => {
+            pair = subject.one_pair(&shown.named.clone().into(), host)?;
+            let at = match shown.at {
+                Some(at) => pair.coordinates("at", at)?,
+                None => as_drawn(&pair),
+            };
+            let mut drawn = at_configuration(&pair, at);
+            mark_contacts(&mut drawn, &pair, at, shown.height)?;
+            (drawn, pair.title())
+        }
     };
-    let mut drawn = at_configuration(&pair, at);
-    mark_contacts(&mut drawn, &pair, at)?;
-    Ok(parts(&drawn, &sheet(pair.title())?))
+    at_height(&mut drawn, shown.height, subject.unit())?;
+    Ok(parts(&drawn, &sheet(title)?))
 }
 
 /// Outlines are those of models, and written as SVG or DXF.
@@ -137,6 +165,35 @@ fn check_outlines(args: &DrawArgs, is_drawing: bool) -> Result<(), Failure> {
         return Err(Failure::new("--outlines is about SVG")
             .help("let the name after -o end in .svg, or in .dxf without --outlines"));
     }
+    Ok(())
+}
+
+/// Has a picture drawn at a height, if one is asked for, which must be within the stack of the parts.
+pub(super) fn at_height(
+    picture: &mut PartsPicture<'_>,
+    height: Option<f64>,
+    unit: Option<&str>,
+) -> Result<(), Failure> {
+    let Some(z) = height else { return Ok(()) };
+    let layers = picture.parts.iter().flat_map(|p| p.part.layers());
+    let stack = layers
+        .filter_map(Layer::z)
+        .reduce(|[lo, hi], [a, b]| [lo.min(a), hi.max(b)]);
+    let Some([lo, hi]) = stack else {
+        return Err(
+            Failure::new("--height is about layers, and no part has any")
+                .help("leave the option out, or give the parts `z` or `layers`"),
+        );
+    };
+    if !(lo <= z && z < hi) {
+        let unit = unit.map(|u| format!(" {u}")).unwrap_or_default();
+        return Err(
+            Failure::new(format_args!("--height {z}: no layer is there")).help(format_args!(
+                "heights are from {lo} to less than {hi}{unit}"
+            )),
+        );
+    }
+    picture.height = Some(z);
     Ok(())
 }
 
@@ -197,11 +254,12 @@ fn placed(axes: Option<(Axis, Axis)>, at: Coordinates) -> [Configuration; 2] {
     }
 }
 
-/// Says where the configuration is, and marks what touches there.
+/// Says where the configuration is, and marks what touches there, at a height or at any.
 fn mark_contacts(
     drawn: &mut PartsPicture<'_>,
     pair: &Chosen<'_>,
     at: Coordinates,
+    height: Option<f64>,
 ) -> Result<(), Failure> {
     let space = pair.space()?;
     let unanswered = |e: QueryError| pair.unanswered("--at", &e);
@@ -222,6 +280,12 @@ fn mark_contacts(
     }
     let assembly_from_fixed = drawn.parts[0].assembly_from_part;
     for near in (space.near_features(at, space.resolution())).map_err(unanswered)? {
+        let is_there = |part: &Part, feature: FeatureName| {
+            height.is_none_or(|z| part.bounds_at(feature.loop_index as usize, z))
+        };
+        if !is_there(pair.fixed(), near.fixed.name) || !is_there(pair.moving(), near.moving.name) {
+            continue;
+        }
         let touching = near.touching;
         let (p, n): (Point, Vector) = (touching.on_fixed, touching.normal);
         drawn.contacts.push(ContactMark {

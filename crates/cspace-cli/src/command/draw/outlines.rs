@@ -4,7 +4,7 @@ use std::path::Path;
 
 use cspace_drawing::{Drawn, DxfVersion, Unit};
 
-use super::{DrawArgs, as_drawn, assembly, at_configuration};
+use super::{DrawArgs, as_drawn, assembly, at_configuration, at_height};
 use crate::args::DxfChoice;
 use crate::ask;
 use crate::failure::Failure;
@@ -54,7 +54,7 @@ pub(super) fn of_model(args: &DrawArgs) -> Result<Option<String>, Failure> {
     }
     let (subject, host) = ask::open(common)?;
     let pair;
-    let picture = match &subject {
+    let mut picture = match &subject {
         Subject::Model(file) if args.named.pair.is_none() && args.at.is_none() => {
             assembly(&file.model.mechanism)
         }
@@ -67,10 +67,12 @@ pub(super) fn of_model(args: &DrawArgs) -> Result<Option<String>, Failure> {
             at_configuration(&pair, at)
         }
     };
+    at_height(&mut picture, args.height, subject.unit())?;
     let drawn: Vec<Drawn> = (picture.parts.iter())
         .flat_map(|p| {
-            let layers = Drawn::part(p.part).into_iter();
-            layers.map(|drawn| drawn.moved(p.assembly_from_part))
+            let layers = p.part.layers().iter().zip(Drawn::part(p.part));
+            let there = layers.filter(|(l, _)| args.height.is_none_or(|z| l.is_at(z)));
+            there.map(|(_, drawn)| drawn.moved(p.assembly_from_part))
         })
         .collect();
     write(output, &drawn, subject.unit(), args.dxf)?;

@@ -95,6 +95,17 @@ pub(super) fn describe(text: &mut String, info: &Info) -> fmt::Result {
             count(p.features.arcs, "arc", "arcs"),
             count(p.features.vertices, "vertex", "vertices"),
         )?;
+        for member in &p.members {
+            let loops = match member.loops {
+                [first, last] if first == last => format!("loop {first}"),
+                [first, last] => format!("loops {first} to {last}"),
+            };
+            writeln!(
+                text,
+                "    made of    {}, {loops}",
+                shown::text(&member.name)
+            )?;
+        }
         for (i, layer) in p.layers.iter().enumerate() {
             let z = match layer.z {
                 Some([lo, hi]) => format!("z {} to {}{unit}", length(lo), length(hi)),
@@ -135,9 +146,7 @@ pub(super) fn describe(text: &mut String, info: &Info) -> fmt::Result {
             j.parts[0],
             j.parts[1]
         )?;
-        if let Some(at) = j.at {
-            write!(text, " at {}", place(at))?;
-        }
+        write!(text, " at {}", place(j.at))?;
         if let Some(direction) = j.direction {
             write!(text, " along {}", place(direction))?;
         }

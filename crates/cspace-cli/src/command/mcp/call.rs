@@ -19,7 +19,7 @@ use super::host::Caller;
 use super::reference;
 use super::short::short;
 use super::tools::{kind_of, tools};
-use crate::command::draw;
+use crate::command::draw::{Shown, scene};
 use crate::failure::Failure;
 
 /// A piece of what a tool says.
@@ -221,8 +221,13 @@ fn picture(
             ..PictureOptions::default()
         })
     };
-    let scene =
-        draw::scene(subject, host, (&named, at.as_ref()), sheet).map_err(Failure::into_error)?;
+    let height = arguments.get("height").and_then(Value::as_f64);
+    let shown = Shown {
+        named: &named,
+        at: at.as_ref(),
+        height,
+    };
+    let scene = scene(subject, host, shown, sheet).map_err(Failure::into_error)?;
     let bytes = PictureFormat::Png.write(&scene).map_err(Error::new)?;
     Ok(Said::Picture(STANDARD.encode(bytes)))
 }

@@ -98,6 +98,7 @@ pub(super) fn tools() -> Vec<Tool> {
             json!({ "properties": {
                 "pair": text("The pair: names of its fixed and its moving part, with a comma between."),
                 "at": text("The configuration: x,y,theta, or u,v of a pair on axes, such as 10,0,18deg."),
+                "height": { "type": "number", "description": "Of parts with layers, what is at this height in full, the rest thin." },
             }}),
             &["model", "set"],
             &["model"],

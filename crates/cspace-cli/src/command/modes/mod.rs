@@ -6,7 +6,7 @@ mod text;
 use std::path::PathBuf;
 
 use clap::Args;
-use cspace_api::modes::Question;
+use cspace_api::modes::{Found, Question};
 
 use crate::args::{CacheArgs, ResultArgs, SetArgs, ThreadsArg};
 use crate::ask::{self, Terminal};
@@ -19,14 +19,17 @@ Examples:
   cspace modes models/shift_interlock.toml
   cspace modes models/shift_interlock.toml --at u=8 --json
   cspace modes models/shift_interlock.toml -o modes.svg
+  cspace modes models/layers/pin_tumbler_lock.toml --set key3=4
 
 Three parts that each turn or slide on an axis have three coordinates u, v, w.
 A configuration of all three is free if (u, v), (v, w) and (u, w) are free in
 the spaces of their pairs; a pair that the model does not list constrains
 nothing. An operating mode is a connected component of the free configurations:
 a motion of the three parts leads from one to another if and only if both are
-in one mode. Modes are found from the contact curves, not by sampling; openings
-of less than 1e-11 of the size are closed, as in the spaces of the pairs.
+in one mode. More than three parts are taken too where their contacts make a
+tree, as of a cam and its followers; their coordinates are u, v, w, q4, q5 ...
+Modes are found from the contact curves, not by sampling; openings of less than
+1e-11 of the size are closed, as in the spaces of the pairs.
 
 For each mode: the range of each coordinate, a configuration within it, and the
 coordinates that turn for ever in it. Where parts turn for ever together the
@@ -36,7 +39,8 @@ sums of whole multiples of these.
 Other parts of the model are not considered; neither are drives and springs.
 
 -o modes.svg, .png or .pdf is a picture: for each mode a row with the
-planes of the three pairs, in which the mode's projection is coloured.
+planes of the three pairs, in which the mode's projection is coloured. Modes of
+more than three parts have no picture.
 ";
 
 /// Arguments of `cspace modes`.
@@ -71,7 +75,14 @@ pub(crate) fn run(args: &ModesArgs) -> Result<(), Failure> {
         .question
         .ask(&subject, &Terminal::new(CacheArgs::default()))?;
     if let Some(format) = format {
-        let scene = picture::scene(args, &subject, &answer.content);
+        let Found::Three(found) = &answer.content.found else {
+            return Err(Failure::new(format_args!(
+                "modes of {} parts have no picture: it has the planes of three",
+                answer.content.parts.len()
+            ))
+            .help("choose three with --parts A,B,C, or leave out -o"));
+        };
+        let scene = picture::scene(args, &subject, &answer.content, found);
         pictures::write(output, format, &scene)?;
     }
     super::tell(&args.result, &answer, |text, found| {

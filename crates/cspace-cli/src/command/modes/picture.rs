@@ -1,9 +1,9 @@
 //! The region diagram of `cspace modes`.
 
 use cspace_api::Subject;
-use cspace_api::modes::{Letter, OperatingModes};
+use cspace_api::modes::OperatingModes;
 use cspace_draw::{ModeFields, ModePlane, ModeRow, ModesPicture, PictureOptions, Scene, modes};
-use cspace_plan::modes::ModePlace;
+use cspace_plan::modes::{ModePlace, Modes};
 
 use super::ModesArgs;
 use crate::failure::note;
@@ -13,12 +13,16 @@ const MOST: usize = 7;
 /// Fields of each plane along each coordinate: as many as a plane has dots in a picture of the usual size.
 const FIELDS: usize = 280;
 
-pub(super) fn scene(args: &ModesArgs, subject: &Subject, answer: &OperatingModes) -> Scene {
-    let (found, unit) = (&answer.found, subject.unit());
-    let (at, place) = (
-        <[f64; 3]>::from(answer.requested.at),
-        answer.requested.place,
-    );
+/// The picture of the modes of three parts.
+pub(super) fn scene(
+    args: &ModesArgs,
+    subject: &Subject,
+    answer: &OperatingModes,
+    found: &Modes,
+) -> Scene {
+    let unit = subject.unit();
+    let (at, place) = (answer.requested.at.all(), answer.requested.place);
+    let letters = ["u", "v", "w"];
     let names = found.names();
     let of = unit.map_or(String::new(), |u| format!(", lengths in {u}"));
     let title = format!(
@@ -36,7 +40,7 @@ pub(super) fn scene(args: &ModesArgs, subject: &Subject, answer: &OperatingModes
     let planes = [0, 1, 2].map(|k| {
         let pair = &found.pairs()[k];
         ModePlane {
-            coordinates: pair.coordinates.map(|c| Letter::ALL[c].name()),
+            coordinates: pair.coordinates.map(|c| letters[c]),
             parts: pair.coordinates.map(|c| names[c].as_str()),
             axes: pair.coordinates.map(|c| found.axes()[c]),
             extents: pair.coordinates.map(|c| extents[c]),

@@ -2,9 +2,9 @@
 
 use std::fmt::{self, Write};
 
-use cspace_api::modes::{Is, Letter, OperatingModes, Requested};
+use cspace_api::modes::{Is, OperatingModes, Requested};
 use cspace_model::shown;
-use cspace_plan::modes::Mode;
+use cspace_plan::modes::{TreeMode, coordinate_name};
 
 use crate::command::regions::Coordinate;
 use crate::wording::count;
@@ -16,10 +16,10 @@ pub(super) fn describe(
 ) -> fmt::Result {
     let unit = unit.map_or(String::new(), |u| format!(" {}", shown::text(u)));
     let modes = &answer.found;
-    let coordinates = [0, 1, 2].map(|k| {
-        let name = Letter::ALL[k].name();
-        Coordinate::new(name, &modes.names()[k], modes.axes()[k], &unit)
-    });
+    let letters: Vec<String> = (0..modes.axes().len()).map(coordinate_name).collect();
+    let coordinates: Vec<Coordinate<'_>> = (letters.iter().enumerate())
+        .map(|(k, name)| Coordinate::new(name, &modes.names()[k], modes.axes()[k], &unit))
+        .collect();
     for pair in &answer.pairs {
         let (a, b) = (shown::text(&pair.fixed), shown::text(&pair.moving));
         let what = match (pair.listed, pair.patches) {
@@ -36,8 +36,12 @@ pub(super) fn describe(
         };
         writeln!(text, "{a}, {b}: {what}")?;
     }
+    let all = match letters.len() {
+        3 => "the three",
+        _ => "all these parts",
+    };
     match answer.modes.len() {
-        0 => writeln!(text, "blocked: no configuration of the three is free")?,
+        0 => writeln!(text, "blocked: no configuration of {all} is free")?,
         n => writeln!(text, "{}", count(n, "mode", "modes"))?,
     }
     for (k, mode) in modes.list().iter().enumerate() {
@@ -47,15 +51,15 @@ pub(super) fn describe(
             writeln!(text, "  {range}")?;
         }
         if !mode.turns.is_empty() {
-            writeln!(text, "  comes back {}", comes_back(mode))?;
+            writeln!(text, "  comes back {}", comes_back(mode, &letters))?;
         }
         writeln!(
             text,
             "  for example at {}",
-            values(&coordinates, mode.sample)
+            values(&coordinates, &mode.sample)
         )?;
     }
-    let place = values(&coordinates, answer.requested.at.into());
+    let place = values(&coordinates, &answer.requested.at.all());
     writeln!(text, "{place}: {}", requested(&answer.requested))?;
     if !answer.left_out.is_empty() {
         let pairs: Vec<String> = (answer.left_out.iter())
@@ -73,14 +77,13 @@ pub(super) fn describe(
     Ok(())
 }
 
-fn values(coordinates: &[Coordinate<'_>; 3], at: [f64; 3]) -> String {
-    let values = coordinates.iter().zip(at).map(|(c, t)| c.value(t));
+fn values(coordinates: &[Coordinate<'_>], at: &[f64]) -> String {
+    let values = coordinates.iter().zip(at).map(|(c, &t)| c.value(t));
     values.collect::<Vec<_>>().join(", ")
 }
 
-fn comes_back(mode: &Mode) -> String {
-    let one = |turns: &[i64; 3]| {
-        let letters = Letter::ALL.map(Letter::name);
+fn comes_back(mode: &TreeMode, letters: &[String]) -> String {
+    let one = |turns: &Vec<i64>| {
         let each = letters.iter().zip(turns).filter(|(_, t)| **t != 0);
         let each: Vec<String> = each
             .map(|(letter, &t)| {

@@ -97,7 +97,6 @@ fn moved(entry: &JointEntry, at: &[Configuration]) -> JointEntry {
             direction: Rotation::by(by.theta) * direction,
             at: by.fixed_from_moving(at),
         },
-        Joint::Rigid => Joint::Rigid,
     };
     JointEntry { joint, ..*entry }
 }

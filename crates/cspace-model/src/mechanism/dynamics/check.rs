@@ -22,7 +22,7 @@ impl Dynamics {
         whole.not_negative("friction", self.friction)?;
         whole.up_to_one("restitution", self.restitution)?;
         for (i, part) in self.parts.iter().enumerate() {
-            part.check(At(DynamicsItem::Part(i)), entry(parts, i)?)?;
+            part.check(i, entry(parts, i)?)?;
         }
         if !self.pairs.is_empty() {
             let listed: HashSet<_> = (mechanism.pairs.iter())
@@ -75,7 +75,12 @@ fn entry(parts: &[PartEntry], part: usize) -> Result<&PartEntry, DynamicsError> 
 }
 
 impl PartDynamics {
-    fn check(&self, at: At, entry: &PartEntry) -> Checked {
+    /// Checks what is given of part number `part`.
+    ///
+    /// # Errors
+    /// The first fault, in the order of the fields.
+    pub fn check(&self, part: usize, entry: &PartEntry) -> Checked {
+        let at = At(DynamicsItem::Part(part));
         match self.mass {
             Some(Mass::Total(mass)) => at.positive("mass", mass)?,
             Some(Mass::Density(density)) => at.positive("density", density)?,

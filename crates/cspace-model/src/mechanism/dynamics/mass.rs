@@ -25,6 +25,22 @@ pub struct MassProperties {
 }
 
 impl MassProperties {
+    /// Sum of the properties of several parts that move as one; `None` of none.
+    pub fn sum(parts: &[Self]) -> Option<Self> {
+        if let [one] = parts {
+            return Some(*one);
+        }
+        let first = parts.first()?.center;
+        let mass: f64 = parts.iter().map(|p| p.mass).sum();
+        let center = (parts.iter()).fold(first, |c, p| c + (p.center - first) * (p.mass / mass));
+        let inertia = parts.iter().map(|p| p.inertia_about(center)).sum();
+        Some(Self {
+            mass,
+            center,
+            inertia,
+        })
+    }
+
     /// The moment of inertia about another point p of the part's frame: J + m |p − c|², where c is the centre of mass.
     pub fn inertia_about(&self, p: Point) -> f64 {
         self.inertia + self.mass * (p - self.center).length_squared()

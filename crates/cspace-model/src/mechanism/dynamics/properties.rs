@@ -44,6 +44,20 @@ impl PartDynamics {
         })
     }
 
+    /// Copy of the data with what follows from the outline said in numbers, for a part of another outline.
+    #[must_use]
+    pub fn of_outline(&self, part: &Part) -> Self {
+        match self.mass_properties(part) {
+            Some(of) => Self {
+                mass: Some(Mass::Total(of.mass)),
+                inertia: Some(of.inertia),
+                center_of_mass: Some(of.center),
+                ..*self
+            },
+            None => *self,
+        }
+    }
+
     /// The centre of mass in the part's frame: as given, or the centroid of the outline. It is also defined for parts without mass: a load
     /// without a point acts there.
     pub fn center_of_mass(&self, part: &Part) -> Point {
@@ -64,18 +78,11 @@ impl Mechanism {
     /// If no part has this index.
     #[must_use]
     pub fn with_outline(mut self, part: usize, outline: Part) -> Self {
-        let center = self
-            .dynamics
-            .part(part)
-            .center_of_mass(&self.parts[part].part);
-        let properties = self.mass_properties(part);
         let kept = self.dynamics.part_mut(part);
+        let drawn = &self.parts[part].part;
+        *kept = kept.of_outline(drawn);
         // A load without a point acts at the centre of mass, also of a part without mass.
-        kept.center_of_mass = Some(center);
-        if let Some(properties) = properties {
-            kept.mass = Some(Mass::Total(properties.mass));
-            kept.inertia = Some(properties.inertia);
-        }
+        kept.center_of_mass = Some(kept.center_of_mass(drawn));
         let entry = &mut self.parts[part];
         // What is declared was checked of the outline as drawn; it is detected of this one.
         entry.symmetry = None;

@@ -1,6 +1,7 @@
 //! Models as they are read.
 
 mod arcs;
+mod bodies;
 mod dynamics;
 mod errors;
 mod fits;

@@ -104,7 +104,7 @@ fn whole() -> Value {
         "joint": [
             {"type": "revolute", "parts": ["plate", "cam"], "at": [0, 0]},
             {"type": "prismatic", "parts": ["plate", "slider"], "direction": [0, 1], "at": [1, 2]},
-            {"type": "rigid", "parts": ["slider", "link"]},
+            {"type": "rigid", "parts": ["lug", "star"]},
         ],
         "pair": [
             {"fixed": "plate", "moving": "link", "theta": ["-0.5 turn", " 90 ° "]},

@@ -467,3 +467,32 @@ rate = {rate}
         }
     }
 }
+
+/// A rod and a bob that are joined rigidly, beside one part of both outlines whose mass properties are sums by hand: they swing, strike a
+/// post and bounce alike.
+#[test]
+fn a_welded_pendulum_moves_as_one_of_one_part() {
+    let rod = "loops = [[[-1, -20], [1, -20], [1, 0], [-1, 0]]]";
+    let bob = "loops = [{ circle = 4, at = [0, -22] }]";
+    let turns = "motion = { type = \"revolute\", center = [0, 0] }\nstart = -1";
+    let head = "gravity = [0, -9810]\nrestitution = 0.7\n[[part]]\nname = \"post\"\nmotion = { type = \"fixed\" }\nloops = [[[10, -30], [14, -30], [14, -20], [10, -20]]]\n";
+    let welded = format!(
+        "{head}[[part]]\nname = \"rod\"\n{rod}\ndensity = 1e-5\n[[part]]\nname = \"bob\"\n{bob}\ndensity = 2e-5\n{turns}\n[[joint]]\ntype = \"rigid\"\nparts = [\"bob\", \"rod\"]\n"
+    );
+    let (m, n) = (40e-5, 32e-5 * std::f64::consts::PI);
+    let center = -(10.0 * m + 22.0 * n) / (m + n);
+    let inertia =
+        m * (404.0 / 12.0 + (center + 10.0).powi(2)) + n * (8.0 + (center + 22.0).powi(2));
+    let single = format!(
+        "{head}[[part]]\nname = \"pendulum\"\nlayers = [{{ {rod} }}, {{ {bob} }}]\nmass = {}\ninertia = {inertia}\ncenter_of_mass = [0, {center}]\n{turns}\n",
+        m + n
+    );
+    let (_, one) = thrown(&welded, 2.0, 0.05);
+    let (_, other) = thrown(&single, 2.0, 0.05);
+    assert_eq!((one.status, other.status), (Status::Done, Status::Done));
+    assert!(!one.events.is_empty());
+    assert_eq!(one.events.len(), other.events.len());
+    for (a, b) in one.samples.iter().zip(&other.samples) {
+        near("angle", a.coordinates[0], b.coordinates[0], 1e-9);
+    }
+}

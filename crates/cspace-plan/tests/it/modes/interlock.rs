@@ -2,7 +2,7 @@
 
 use cspace::{Axis, Part, Vector, Vertex};
 use cspace_model::{Mechanism, PartEntry};
-use cspace_plan::modes::{ModePlace, Modes};
+use cspace_plan::modes::{ModePlace, Modes, TreeModes};
 
 const GAP: f64 = 10.0;
 const DEPTH: f64 = 2.0;
@@ -90,8 +90,16 @@ fn one_rail_moves_while_the_other_is_in_neutral() {
 fn modes_merge_at_the_length_of_gap_and_depth() {
     let notches: [&[f64]; 2] = [&[-11.0, 0.0, 11.0]; 2];
     let size = 60.0;
+    // The rails do not touch each other: the other method, for trees, has the same modes.
+    let as_tree = |length: f64| {
+        let tree = TreeModes::compute(&interlock(length, notches), &[0, 1, 2]);
+        tree.unwrap().list().len()
+    };
+    assert_eq!(as_tree(GAP + DEPTH), 9);
     for play in [0.1, 1e-3, 1e-6 * size, 1e-9 * size] {
         let modes = |length: f64| Modes::compute(&interlock(length, notches), [0, 1, 2]).unwrap();
+        let tree = (as_tree(GAP + DEPTH - play), as_tree(GAP + DEPTH + play));
+        assert_eq!(tree, (1, 9), "{play}");
         let (shorter, longer) = (modes(GAP + DEPTH - play), modes(GAP + DEPTH + play));
         assert_eq!(
             (shorter.list().len(), longer.list().len()),

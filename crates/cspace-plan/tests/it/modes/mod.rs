@@ -4,3 +4,5 @@ mod blocks;
 mod flood;
 mod gears;
 mod interlock;
+mod lock;
+mod tree;

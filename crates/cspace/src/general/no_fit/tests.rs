@@ -283,3 +283,15 @@ fn with_play_it_is_the_slice() {
         .point(0.0);
     assert!(p.distance(Point::new(-2.5, -1.0)) < 1e-12 && !is_at(&fits, (0.0, 0.0)));
 }
+
+/// Two outlines of one part that overlap are not one outline by its even-odd rule.
+#[test]
+fn layers_of_one_part_stay_apart() {
+    let square = |x: f64| Part::rectangle("", (x, 0.0), 4.0, 4.0).unwrap();
+    let body = Part::together("body", &[&square(0.0), &square(3.0)]).unwrap();
+    let placed = [
+        (&body, Configuration::default()),
+        (&square(9.0), Configuration::default()),
+    ];
+    assert_eq!(Part::assembled("all", &placed).layers().len(), 2);
+}

@@ -21,14 +21,13 @@ fn pair(joint: Joint, limits: Option<(f64, f64)>) -> LowerPair {
     LowerPair::new(&bar("frame", 4.0), &bar("arm", 3.0), joint, limits)
 }
 
-fn joints() -> [Joint; 3] {
+fn joints() -> [Joint; 2] {
     [
         Joint::Revolute { at: AT },
         Joint::Prismatic {
             direction: ALONG,
             at: AT,
         },
-        Joint::Rigid,
     ]
 }
 
@@ -45,7 +44,7 @@ fn space(joint: Joint) -> PairSpace {
 #[test]
 fn a_joint_moves_points_as_it_should() {
     let points = [Point::ORIGIN, AT, Point::new(-2.0, 7.0)];
-    let [revolute, prismatic, rigid] = joints().map(|j| pair(j, None));
+    let [revolute, prismatic] = joints().map(|j| pair(j, None));
     for t in [-9.0, -0.3, 0.0, 1.0, 4.0] {
         for q in points {
             let turned = placed(revolute.configuration(t), q);
@@ -53,7 +52,6 @@ fn a_joint_moves_points_as_it_should() {
             assert!(turned.distance(AT + arm) < 1e-13, "{t}");
             let slid = placed(prismatic.configuration(t), q);
             assert!(slid.distance(q + Vector::new(0.6, -0.8) * t) < 1e-13, "{t}");
-            assert_eq!(placed(rigid.configuration(t), q), q);
         }
     }
 }
@@ -111,7 +109,7 @@ fn permanent_contacts_vanish_on_the_joint_and_not_off_it() {
 
 #[test]
 fn configurations_beyond_the_limits_are_blocked() {
-    let [revolute, prismatic, _] = joints();
+    let [revolute, prismatic] = joints();
     let class = |p: &LowerPair, t: f64| p.classify(p.configuration(t)).unwrap();
     let turning = pair(revolute, Some((-0.5, 2.0)));
     // Orientations repeat: a turn more or less is the same configuration.
@@ -144,7 +142,7 @@ fn configurations_beyond_the_limits_are_blocked() {
 
 #[test]
 fn limits_follow_from_the_ranges_of_the_parts() {
-    let [revolute, prismatic, rigid] = joints();
+    let [revolute, prismatic] = joints();
     let of = LowerPair::limits_from_axes;
     let turning = Axis::revolute(AT).within(-1.0, 2.0);
     assert_eq!(of(&revolute, &Axis::FIXED, &turning), Some((-1.0, 2.0)));
@@ -169,7 +167,7 @@ fn limits_follow_from_the_ranges_of_the_parts() {
         of(&prismatic, &Axis::FIXED, &sliding(-7.0)),
         Some((-2.0, 1.0))
     );
-    assert_eq!(of(&rigid, &Axis::FIXED, &Axis::FIXED), None);
+    assert_eq!(of(&revolute, &Axis::FIXED, &Axis::FIXED), None);
 }
 
 #[test]

@@ -7,12 +7,12 @@ use cspace_model::{ModelError, model};
 
 const SQUARE: &str = "[[0, 0], [1, 0], [1, 1], [0, 1]]";
 
-fn error(toml: &str) -> ModelError {
+pub(super) fn error(toml: &str) -> ModelError {
     model::from_toml(toml, "m.toml").unwrap_err()
 }
 
 /// Asserts that an error, with its help, has all the words.
-fn says(error: &ModelError, words: &[&str]) {
+pub(super) fn says(error: &ModelError, words: &[&str]) {
     let all = format!("{error} | {}", error.help().unwrap_or_default());
     for w in words {
         assert!(all.contains(w), "{w:?} is not in: {all}");
@@ -479,7 +479,7 @@ fn damaged_models_are_refused_or_read() {
         r#"{{"name": "räder", "part": [
             {{"name": "a", "loops": [{SQUARE}], "motion": {{"type": "prismatic", "direction": [1, 0], "range": [0, 1]}}}},
             {{"name": "b", "loops": [[[2, 0, 1], [3, 0, 1]]]}}],
-            "joint": [{{"type": "rigid", "parts": ["a", "b"]}}], "pair": [{{"fixed": "b", "moving": "a"}}]}}"#
+            "joint": [{{"type": "prismatic", "direction": [1, 0], "parts": ["a", "b"]}}], "pair": [{{"fixed": "b", "moving": "a"}}]}}"#
     );
     model::from_toml(&toml, "m.toml").unwrap();
     model::from_json(&json, "m.json").unwrap();

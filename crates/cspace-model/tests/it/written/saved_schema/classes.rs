@@ -37,7 +37,6 @@ fn lower_pairs() -> Vec<PairSpace> {
             },
             Some((0.0, 12.0)),
         ),
-        (Joint::Rigid, None),
     ];
     joints
         .map(|(joint, limits)| {

@@ -13,10 +13,10 @@ use grid::Grid;
 use walk::Walker;
 
 /// Numbers that look random.
-struct Dice(u64);
+pub(crate) struct Dice(pub(crate) u64);
 
 impl Dice {
-    fn roll(&mut self) -> f64 {
+    pub(crate) fn roll(&mut self) -> f64 {
         self.0 = self
             .0
             .wrapping_mul(6_364_136_223_846_793_005)
@@ -24,13 +24,13 @@ impl Dice {
         (self.0 >> 11) as f64 / (1u64 << 53) as f64
     }
 
-    fn between(&mut self, lo: f64, hi: f64) -> f64 {
+    pub(crate) fn between(&mut self, lo: f64, hi: f64) -> f64 {
         lo + (hi - lo) * self.roll()
     }
 }
 
 /// A star about a point, some of its edges arcs.
-fn star(
+pub(crate) fn star(
     dice: &mut Dice,
     name: &str,
     (x, y): (f64, f64),
@@ -62,7 +62,7 @@ fn star(
     }
 }
 
-fn axis(dice: &mut Dice, kind: u32, (x, y): (f64, f64)) -> Axis {
+pub(crate) fn axis(dice: &mut Dice, kind: u32, (x, y): (f64, f64)) -> Axis {
     let aside = (dice.between(-0.3, 0.3), dice.between(-0.3, 0.3));
     let turn = Axis::revolute(Point::new(x + aside.0, y + aside.1));
     let slide = Axis::prismatic(Vector::from_angle(dice.between(0.0, TAU)));
@@ -75,7 +75,7 @@ fn axis(dice: &mut Dice, kind: u32, (x, y): (f64, f64)) -> Axis {
 }
 
 /// Three stars at the corners of a triangle, each near both others.
-fn stars(seed: u64) -> Mechanism {
+pub(crate) fn stars(seed: u64) -> Mechanism {
     let mut dice = Dice(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15));
     let mut mechanism = Mechanism::new("stars");
     for (k, name) in ["a", "b", "c"].into_iter().enumerate() {
