@@ -17,6 +17,7 @@ mod helpers;
 mod hostile;
 mod import;
 mod info;
+mod mcp;
 mod meshes;
 mod modes;
 mod new;

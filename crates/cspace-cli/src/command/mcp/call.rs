@@ -62,15 +62,15 @@ fn checked(tool: &str, arguments: &Map<String, Value>) -> Result<(), Error> {
             .help(format_args!("the tools are {}", names.join(", "))));
     };
     let known = found.takes.get("properties").and_then(Value::as_object);
-    let known: Vec<&str> = known.into_iter().flatten().map(|(key, _)| key.as_str()).collect();
+    let known: Vec<&str> = known
+        .into_iter()
+        .flatten()
+        .map(|(key, _)| key.as_str())
+        .collect();
     match arguments.keys().find(|key| !known.contains(&key.as_str())) {
         None => Ok(()),
-        Some(key) => Err(
-            Error::new(format_args!("{tool} has no argument {key:?}")).help(format_args!(
-                "its arguments are {}",
-                known.join(", ")
-            )),
-        ),
+        Some(key) => Err(Error::new(format_args!("{tool} has no argument {key:?}"))
+            .help(format_args!("its arguments are {}", known.join(", ")))),
     }
 }
 
@@ -163,7 +163,10 @@ fn subject(
                 true => "model.json",
                 false => "model.toml",
             };
-            (PathBuf::from(name), Template::from_text(model, folder.beside(name))?)
+            (
+                PathBuf::from(name),
+                Template::from_text(model, folder.beside(name))?,
+            )
         }
         false => {
             let file = folder.file(&model)?;

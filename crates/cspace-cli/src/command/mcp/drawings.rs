@@ -30,17 +30,26 @@ pub(super) fn import(
     folder: &Folder,
     host: &Caller,
 ) -> Result<(Answer<Imported>, Option<String>), Error> {
-    let output = drawn.output.as_deref().map(|path| folder.output(path)).transpose()?;
+    let output = drawn
+        .output
+        .as_deref()
+        .map(|path| folder.output(path))
+        .transpose()?;
     let source = Source {
         layers: drawn.layer.clone(),
         ..Source::default()
     };
     let read = |path: &String| -> Result<(PathBuf, Drawing), Error> {
         let file = folder.file(path)?;
-        let drawing = cspace_drawing::read(&file, &source).map_err(|e| Failure::into_error(failed(Path::new(path), &e)))?;
+        let drawing = cspace_drawing::read(&file, &source)
+            .map_err(|e| Failure::into_error(failed(Path::new(path), &e)))?;
         Ok((PathBuf::from(path), drawing))
     };
-    let drawings = drawn.drawings.iter().map(read).collect::<Result<Vec<_>, _>>()?;
+    let drawings = drawn
+        .drawings
+        .iter()
+        .map(read)
+        .collect::<Result<Vec<_>, _>>()?;
     let Some(first) = drawings.first() else {
         return Err(Error::new("`drawings` names no file").help("give the path of a drawing"));
     };

@@ -81,13 +81,16 @@ impl Folder {
         let Ok(below) = path.strip_prefix(&self.0) else {
             return false;
         };
-        below.components().all(|c| matches!(c, Component::Normal(_)))
+        below
+            .components()
+            .all(|c| matches!(c, Component::Normal(_)))
     }
 }
 
 fn outside(path: &dyn core::fmt::Display) -> Refused {
     Refused {
         message: format!("{path}: it is not below the folder of this server"),
-        help: "give a path in the folder that `cspace mcp --root FOLDER` was started with".to_owned(),
+        help: "give a path in the folder that `cspace mcp --root FOLDER` was started with"
+            .to_owned(),
     }
 }

@@ -48,7 +48,10 @@ pub(super) fn section(topic: Option<&str>) -> Result<String, Error> {
         .filter(|(_, d)| d.get("properties").is_some())
         .map(|(name, _)| name.as_str())
         .collect();
-    let models: Vec<String> = TEMPLATES.iter().map(|t| format!("model {}", t.name)).collect();
+    let models: Vec<String> = TEMPLATES
+        .iter()
+        .map(|t| format!("model {}", t.name))
+        .collect();
     let topics = || {
         format!(
             "file, {}, values, {}",
@@ -94,7 +97,11 @@ fn describe(text: &mut String, name: &str, definition: &Value) {
     let needed = definition["required"].as_array();
     let is_needed = |key: &str| needed.is_some_and(|all| all.iter().any(|n| n == key));
     for (key, value) in definition["properties"].as_object().into_iter().flatten() {
-        let must = if is_needed(key) { ", must be given" } else { "" };
+        let must = if is_needed(key) {
+            ", must be given"
+        } else {
+            ""
+        };
         let _ = writeln!(text, "- {key} ({}{must}): {}", form(value), about(value));
     }
     if definition.get("properties").is_none() {

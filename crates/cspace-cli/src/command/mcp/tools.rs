@@ -187,7 +187,9 @@ fn shared(key: &str) -> Value {
             "items": { "type": "string" },
             "description": "Layers of DXF drawings that are read; all if there are none here.",
         }),
-        "output" => text("Path of the model file to write, .toml or .json, below the server's folder."),
+        "output" => {
+            text("Path of the model file to write, .toml or .json, below the server's folder.")
+        }
         _ => text("The topic."),
     }
 }
