@@ -197,19 +197,16 @@ fn every_tool_answers() {
     assert_eq!(clearance["outcome"], "stopped");
     let check = client.answer("check", &plate(&json!({})));
     assert_eq!(check["outcome"], "met");
-    let solve = plate(&json!({ "vary": ["gap=0.05:0.5"], "so_that": "room = 0.4" }));
+    let gap = json!([{ "parameter": "gap", "lo": 0.05, "hi": 0.5 }]);
+    let goal = json!({ "requirement": "room", "relation": "equal", "value": 0.4 });
+    let solve = plate(&json!({ "vary": gap, "so_that": goal }));
     let solved = client.answer("solve", &solve);
     assert!(
-        (solved["solutions"][0]["parameters"]["gap"]
-            .as_f64()
-            .unwrap()
-            - 0.4)
-            .abs()
-            < 1e-6,
+        (solved["solutions"][0]["gap"].as_f64().unwrap() - 0.4).abs() < 1e-6,
         "{solved}"
     );
     let tolerances = client.answer("tolerances", &plate(&json!({})));
-    assert_eq!(tolerances["outcome"], "done", "{tolerances}");
+    assert_eq!(tolerances["outcome"], "holds", "{tolerances}");
     let simulated = client.answer("simulate", &json!({ "model": "geneva.toml", "time": 1 }));
     assert_eq!(simulated["outcome"], "done");
     assert!(simulated["shortened"]["lists"].as_u64().unwrap() > 0);
@@ -299,7 +296,7 @@ fn what_is_wrong_is_told() {
     client.refuses(
         "space",
         &json!({ "model": "ratchet_pawl.toml", "pair": "a,b" }),
-        &["`pair`"],
+        &["the parts are ratchet, pawl"],
     );
     // A drawing that a model names is read below the folder only.
     let outside = "[[part]]\nname = \"a\"\ndxf = \"../docs/none.dxf\"\n";

@@ -46,7 +46,7 @@ const ASKING: [Asking; 9] = [
     Asking {
         name: "solve",
         kind: "solve",
-        when: "For which value of a [parameter] a requirement has a value (`vary`: name=LO:HI, `so_that`: \"requirement = value\").",
+        when: "For which value of a [parameter] a requirement has a value.",
     },
     Asking {
         name: "tolerances",
