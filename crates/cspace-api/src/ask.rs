@@ -74,7 +74,7 @@ macro_rules! questions {
 pub struct Kind {
     /// Its `question`.
     pub name: String,
-    /// What is answered.
+    /// Subject of the answer.
     pub about: &'static str,
     /// The schema of what is asked, in one piece.
     pub asked: Schema,

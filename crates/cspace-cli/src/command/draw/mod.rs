@@ -112,7 +112,7 @@ pub(crate) fn run(args: &DrawArgs) -> Result<Option<String>, Failure> {
     Ok(subject.unit().map(str::to_owned))
 }
 
-/// What of a model is drawn.
+/// Choice of what is drawn of a model.
 pub(crate) struct Shown<'a> {
     /// The pair.
     pub(crate) named: &'a Named,

@@ -29,7 +29,7 @@ pub(super) enum Said {
     Picture(String),
 }
 
-/// What a tool says to a call, or why there is no answer.
+/// Answers a call of a tool, or says why there is no answer.
 ///
 /// # Errors
 /// The second is the text of the error, as `--json` prints it.

@@ -23,7 +23,7 @@ pub(super) struct Drawn {
     output: Option<String>,
 }
 
-/// What was made of drawings, and the model's text where it is not written to a file.
+/// Imports drawings: the answer, and the model's text where it is not written to a file.
 pub(super) fn import(
     drawn: &Drawn,
     question: Question,
