@@ -188,7 +188,7 @@ loops = [[[4, 2], [10, 2], [10, 6], [4, 6]]]
     std::fs::write(&file, text).unwrap();
     let told = printed(&["play", file.to_str().unwrap()]);
     assert!(
-        told.contains("exact fit") && told.contains("10.000000, its limit"),
+        told.contains("exact-fit") && told.contains("10.000000, its limit"),
         "{told}"
     );
 }
