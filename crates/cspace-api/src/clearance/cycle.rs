@@ -129,6 +129,10 @@ fn told(model: &Mechanism, why: &NoCycle) -> String {
             "drive of {}: it slides on for ever, so that there is no cycle: give the part a range, or the drive a table",
             name(*part)
         ),
+        NoCycle::Extreme(part) => format!(
+            "drive of {}: its rate is beyond 1e-60 to 1e60 a second, so that parts carried by joints are looked at as drawn",
+            name(*part)
+        ),
         NoCycle::Incommensurable([a, b]) => format!(
             "drives of {} and {}: they do not come back together within {} turns, so that there is no cycle: use rates in a ratio of whole numbers, or --along",
             name(*a),
@@ -168,7 +172,11 @@ fn one(model: &Mechanism, pair: [usize; 2], motion: &PairCycle<'_>, passage: &Pa
     });
     Row {
         content: Clearance {
-            least: is_clear.then_some(passage.least),
+            // At a dead point poses go with the square root of the time: where exactly it is, is not enclosed.
+            least: is_clear.then_some(match motion.halt {
+                Some(cycle::Halt::DeadPoint) => 0.0,
+                _ => passage.least,
+            }),
             at: Some(At::Time(time)),
             cycle: Some(Cycle {
                 times: motion.span.times,

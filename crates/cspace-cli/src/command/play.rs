@@ -106,7 +106,9 @@ fn describe(text: &mut String, pair: &Chosen<'_>, play: &Play) -> std::fmt::Resu
     if let Some(gap) = play.gap {
         writeln!(text, "  {}", pair.gap_in_words(gap))?;
     }
-    if let (Some(region), Ok(space)) = (play.region, pair.space()) {
+    // Of parts that fit exactly it is a region of the smaller part's space.
+    let region = play.region.filter(|_| play.gap.is_none());
+    if let (Some(region), Ok(space)) = (region, pair.space()) {
         let words = region_in_words(pair, &space, region);
         writeln!(text, "  {:24} {words}", pair.region(region))?;
     }

@@ -169,3 +169,26 @@ fn small_parts_have_more_digits() {
     let said = printed(&["play", file.to_str().unwrap()]);
     assert!(said.contains("0.0000000500 m"), "{said}");
 }
+
+/// A bar that fits exactly between two walls is told as one that is smaller, whose regions are those of another space.
+#[test]
+fn an_exact_fit_on_axes_is_described() {
+    let dir = tempfile::tempdir().unwrap();
+    let file = dir.path().join("slot.toml");
+    let text = r#"
+[[part]]
+name = "slot"
+motion = { type = "fixed" }
+loops = [[[0, 0], [30, 0], [30, 5], [20, 5], [20, 2], [0, 2]], [[0, 6], [30, 6], [30, 8], [0, 8]]]
+[[part]]
+name = "bar"
+motion = { type = "prismatic", direction = [1, 0], range = [0, 10] }
+loops = [[[4, 2], [10, 2], [10, 6], [4, 6]]]
+"#;
+    std::fs::write(&file, text).unwrap();
+    let told = printed(&["play", file.to_str().unwrap()]);
+    assert!(
+        told.contains("exact-fit") && told.contains("10.000000, its limit"),
+        "{told}"
+    );
+}

@@ -12,6 +12,9 @@ pub const MOST_TURNS: u32 = 360;
 /// Rates are in a ratio of whole numbers to this share.
 const SAME: f64 = 1e-9;
 
+/// Rates of drives (radians or the model's unit a second) of which squares and reciprocals are numbers that rounding leaves whole.
+const RATES: core::ops::RangeInclusive<f64> = 1e-60..=1e60;
+
 /// Why drives have no cycle.
 #[derive(Debug, Clone, PartialEq)]
 pub enum NoCycle {
@@ -19,6 +22,8 @@ pub enum NoCycle {
     Still,
     /// A part, by its number, slides on for ever.
     Endless(usize),
+    /// The rate of a part, by its number, is smaller or larger than any machine's.
+    Extreme(usize),
     /// Two parts, by their numbers, turn at rates of no ratio of small whole numbers.
     Incommensurable([usize; 2]),
 }
@@ -59,6 +64,9 @@ pub(super) fn span(system: &System, driven: &[usize]) -> Result<Span, NoCycle> {
                 }
             }
             DriveMotion::Rate(0.0) => {}
+            DriveMotion::Rate(rate) if !RATES.contains(&rate.abs()) => {
+                return Err(NoCycle::Extreme(drive.part));
+            }
             DriveMotion::Rate(rate) => {
                 let curve = system.drives().iter().find(|d| d.0 == first);
                 let start = curve.map_or(0.0, |d| d.1.at(0.0).value);
@@ -101,7 +109,8 @@ pub(super) fn span(system: &System, driven: &[usize]) -> Result<Span, NoCycle> {
         _ if to <= from => Err(NoCycle::Still),
         _ => Ok(Span {
             times: [from, to],
-            turns,
+            // What ends at a range does not go round.
+            turns: if ends.is_some() { Vec::new() } else { turns },
             ends,
         }),
     }
