@@ -9,7 +9,7 @@ use cspace_model::Mechanism;
 
 use crate::modes::error::ModesError;
 use crate::modes::extent::Extent;
-use crate::modes::mode::{Gathered, Mode};
+use crate::modes::mode::{Gathered, Mode, in_order};
 use crate::modes::plane::{Opening, Plane};
 use crate::modes::shape::Shape;
 use crate::modes::sweep::{Planes, Swept};
@@ -160,16 +160,7 @@ impl Modes {
         });
         let open = [0, 1, 2].map(|k| self.trio.is_open(k));
         let modes = gathered.into_iter().map(|g| g.mode(self.order, open));
-        let mut modes: Vec<(usize, Mode)> = modes.enumerate().collect();
-        modes.sort_by(|(_, a), (_, b)| a.order(b));
-        let mut place = vec![0; modes.len()];
-        for (new, (old, _)) in modes.iter().enumerate() {
-            place[*old] = new as u32;
-        }
-        for mode in &mut self.mode_of {
-            *mode = place[*mode as usize];
-        }
-        self.modes = modes.into_iter().map(|(_, mode)| mode).collect();
+        self.modes = in_order(modes, |m| (&m.ranges, &m.sample), &mut self.mode_of);
     }
 }
 

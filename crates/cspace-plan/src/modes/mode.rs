@@ -29,21 +29,39 @@ impl Mode {
             .iter()
             .any(|t| t.get(coordinate).is_some_and(|&t| t != 0))
     }
+}
 
-    pub(crate) fn order(&self, other: &Self) -> Ordering {
-        let key = |m: &Self| {
-            let [u, v, w] = m.ranges;
-            let [a, b, c] = m.sample;
-            [u.0, v.0, w.0, u.1, v.1, w.1, a, b, c]
-        };
-        let (a, b) = (key(self), key(other));
-        // Ends that differ only by rounding are equal.
-        let compare = |(x, y): (&f64, &f64)| match (x - y).abs() < 1e-9 * (1.0 + x.abs()) {
-            true => Ordering::Equal,
-            false => x.total_cmp(y),
-        };
-        (a.iter().zip(&b).map(compare)).fold(Ordering::Equal, Ordering::then)
+/// Modes by the minimum of each coordinate, then by the maximum, then by the sample, which `of` gives; `mode_of` has their numbers and gets
+/// the new ones.
+pub(crate) fn in_order<M>(
+    modes: impl IntoIterator<Item = M>,
+    of: fn(&M) -> (&[(f64, f64)], &[f64]),
+    mode_of: &mut [u32],
+) -> Vec<M> {
+    let key = |m: &M| -> Vec<f64> {
+        let (ranges, sample) = of(m);
+        let (lo, hi) = (ranges.iter().map(|r| r.0), ranges.iter().map(|r| r.1));
+        lo.chain(hi).chain(sample.iter().copied()).collect()
+    };
+    // Ends that differ only by rounding are equal.
+    let compare = |(x, y): (&f64, &f64)| match (x - y).abs() < 1e-9 * (1.0 + x.abs()) {
+        true => Ordering::Equal,
+        false => x.total_cmp(y),
+    };
+    let order =
+        |a: &[f64], b: &[f64]| (a.iter().zip(b).map(compare)).fold(Ordering::Equal, Ordering::then);
+    let mut modes: Vec<(usize, Vec<f64>, M)> = (modes.into_iter().enumerate())
+        .map(|(old, mode)| (old, key(&mode), mode))
+        .collect();
+    modes.sort_by(|(_, a, _), (_, b, _)| order(a, b));
+    let mut place = vec![0; modes.len()];
+    for (new, (old, _, _)) in modes.iter().enumerate() {
+        place[*old] = new as u32;
     }
+    for mode in mode_of {
+        *mode = place[*mode as usize];
+    }
+    modes.into_iter().map(|(_, _, mode)| mode).collect()
 }
 
 /// State of a mode while its cells are collected; coordinates are s, p and q.

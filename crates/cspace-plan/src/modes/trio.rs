@@ -88,24 +88,9 @@ impl Trio {
         })
     }
 
-    /// The axes with limits for slides that have none: beyond them nothing touches.
+    /// The axes with limits for slides that have none.
     pub(crate) fn limited_axes(&self) -> [Axis; 3] {
-        [0, 1, 2].map(|k| {
-            let axis = self.axes[k];
-            if !self.is_open(k) {
-                return axis;
-            }
-            // Something to be between where the part meets no other.
-            let (mut lo, mut hi) = (-1.0_f64, 1.0_f64);
-            for pair in &self.pairs {
-                let at = pair.coordinates.iter().position(|&c| c == k);
-                if let (Some(at), Some(space)) = (at, &pair.space) {
-                    let extent = space.extent()[at];
-                    (lo, hi) = (lo.min(extent.0), hi.max(extent.1));
-                }
-            }
-            axis.within(lo, hi)
-        })
+        [0, 1, 2].map(|k| limited(k, &self.axes, &self.pairs))
     }
 
     /// Whether a coordinate is unbounded.
@@ -117,6 +102,24 @@ impl Trio {
     pub(crate) fn is_circle(&self, k: usize) -> bool {
         is_circle(&self.axes[k])
     }
+}
+
+/// The axis of a coordinate with limits if it is a slide that has none: beyond them nothing touches.
+pub(crate) fn limited(k: usize, axes: &[Axis], pairs: &[TrioPair]) -> Axis {
+    let axis = axes[k];
+    if !is_open(&axis) {
+        return axis;
+    }
+    // Something to be between where the part meets no other.
+    let (mut lo, mut hi) = (-1.0_f64, 1.0_f64);
+    for pair in pairs {
+        let at = pair.coordinates.iter().position(|&c| c == k);
+        if let (Some(at), Some(space)) = (at, &pair.space) {
+            let extent = space.extent()[at];
+            (lo, hi) = (lo.min(extent.0), hi.max(extent.1));
+        }
+    }
+    axis.within(lo, hi)
 }
 
 /// Whether the coordinate of an axis is unbounded.

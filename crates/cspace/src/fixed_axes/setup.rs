@@ -102,25 +102,21 @@ pub(super) fn set_up(
     let shifts = displacement.shifts();
     let about = |shift: Vector| frame.fixed_center + shift * (-1.0 / frame.scale);
     let turned = displacement.turned(parts.1, frame.fixed_center);
-    let second = turned.as_ref().unwrap_or(parts.1);
-    let displaced = |closing| {
-        let first = drawn(parts.0, about(shifts.0), !swapped, closing);
-        (first, drawn(second, about(shifts.1), swapped, closing))
-    };
+    let turned = turned.as_ref().unwrap_or(parts.1);
+    let first_drawn = |closing| drawn(parts.0, about(shifts.0), !swapped, closing);
+    let second_drawn = |closing| drawn(turned, about(shifts.1), swapped, closing);
     let repeating = symmetric.0.and_then(|s| {
         let center = s.center_in(&frame);
         let first = drawn(&s.redrawn.part, center, !swapped, 0.0);
         let repeats = s.repeats(&first.0)?;
         Some((first, repeats, Some(s)))
     });
-    let (mut first, mut second) = displaced(0.0);
-    let (repeats, symmetric) = match repeating {
-        Some((redrawn, repeats, symmetric)) => {
-            first = redrawn;
-            (repeats, symmetric)
-        }
-        None => (Repeats::none(&first.0), None),
-    };
+    let (mut first, repeats, symmetric) = repeating.unwrap_or_else(|| {
+        let first = first_drawn(0.0);
+        let repeats = Repeats::none(&first.0);
+        (first, repeats, None)
+    });
+    let mut second = second_drawn(0.0);
     let farthest = |axis: &Axis, unit: f64| {
         let far = |(lo, hi): (f64, f64)| lo.abs().max(hi.abs()) / unit;
         axis.range.map(far)
@@ -137,7 +133,7 @@ pub(super) fn set_up(
     // A displacement opens nothing that contact closes (a passage between parts that are drawn flush): growth outdoes it.
     let closing = displacement.deviation(slides);
     if !displacement.is_none() {
-        (first, second) = displaced(closing);
+        (first, second) = (first_drawn(closing), second_drawn(closing));
     }
     let ((first, first_body), (second, second_body)) = (first, second);
     let grown = frame.grown((fixed, GROWTH + closing), (moving, MOVING_GROWTH));

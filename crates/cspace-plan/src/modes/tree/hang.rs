@@ -73,24 +73,9 @@ impl Parts {
         })
     }
 
-    /// The axes with limits for slides that have none: beyond them nothing touches.
+    /// The axes with limits for slides that have none.
     fn limited_axes(&self) -> Vec<Axis> {
-        let limited = |k: usize| {
-            let axis = self.axes[k];
-            if !trio::is_open(&axis) {
-                return axis;
-            }
-            // Something to be between where the part meets no other.
-            let (mut lo, mut hi) = (-1.0_f64, 1.0_f64);
-            for pair in &self.pairs {
-                let at = pair.coordinates.iter().position(|&c| c == k);
-                if let (Some(at), Some(space)) = (at, &pair.space) {
-                    let extent = space.extent()[at];
-                    (lo, hi) = (lo.min(extent.0), hi.max(extent.1));
-                }
-            }
-            axis.within(lo, hi)
-        };
+        let limited = |k: usize| trio::limited(k, &self.axes, &self.pairs);
         (0..self.axes.len()).map(limited).collect()
     }
 

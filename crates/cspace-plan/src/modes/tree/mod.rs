@@ -10,7 +10,6 @@ mod hang;
 mod reach;
 mod turning;
 
-use core::cmp::Ordering;
 use core::f64::consts::{PI, TAU};
 use std::collections::HashMap;
 
@@ -20,6 +19,7 @@ use cspace_model::Mechanism;
 use crate::modes::error::ModesError;
 use crate::modes::extent::Extent;
 use crate::modes::locate::{ModePlace, place_by_pairs};
+use crate::modes::mode::in_order;
 use crate::modes::tree::branch::Branch;
 use crate::modes::tree::hang::Parts;
 use crate::modes::tree::reach::Sample;
@@ -65,21 +65,6 @@ impl TreeMode {
     /// Whether the mode closes on itself around a coordinate: the part can turn without end, with the others or alone.
     pub fn around(&self, coordinate: usize) -> bool {
         (self.turns.iter()).any(|t| t.get(coordinate).is_some_and(|&t| t != 0))
-    }
-
-    fn order(&self, other: &Self) -> Ordering {
-        let key = |m: &Self| -> Vec<f64> {
-            let lo = m.ranges.iter().map(|r| r.0);
-            let hi = m.ranges.iter().map(|r| r.1);
-            lo.chain(hi).chain(m.sample.iter().copied()).collect()
-        };
-        let (a, b) = (key(self), key(other));
-        // Ends that differ only by rounding are equal.
-        let compare = |(x, y): (&f64, &f64)| match (x - y).abs() < 1e-9 * (1.0 + x.abs()) {
-            true => Ordering::Equal,
-            false => x.total_cmp(y),
-        };
-        (a.iter().zip(&b).map(compare)).fold(Ordering::Equal, Ordering::then)
     }
 }
 
@@ -228,23 +213,14 @@ impl TreeModes {
                 gathered.sample = Some(sample);
             }
         }
-        let mut modes: Vec<(usize, TreeMode)> = (all.into_iter())
+        let modes: Vec<TreeMode> = (all.into_iter())
             .map(|gathered| {
                 let turns = sets.lattice(gathered.root).reduced();
                 let sample = gathered.sample.map_or_else(|| vec![0.0; n], |s| s.at);
                 self.mode(&turns, gathered.ranges, sample)
             })
-            .enumerate()
             .collect();
-        modes.sort_by(|(_, a), (_, b)| a.order(b));
-        let mut place = vec![0; modes.len()];
-        for (new, (old, _)) in modes.iter().enumerate() {
-            place[*old] = new as u32;
-        }
-        for mode in &mut self.mode_of {
-            *mode = place[*mode as usize];
-        }
-        self.modes = modes.into_iter().map(|(_, mode)| mode).collect();
+        self.modes = in_order(modes, |m| (&m.ranges, &m.sample), &mut self.mode_of);
     }
 
     fn mode(
