@@ -122,7 +122,7 @@ questions! {
     };
     /// Parts, joints and pairs.
     Info(info::Question) -> info::Info, info::Question::ask;
-    /// The operating modes of three parts.
+    /// The operating modes of parts on axes.
     Modes(modes::Question) -> modes::OperatingModes, modes::Question::ask;
     /// A path, or that there is none.
     Plan(plan::Question) -> Pairs<plan::Plan>, |question, subject, host| {

@@ -2,16 +2,16 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use cspace::{AxisMotion, ComputeError, Configuration, PairError};
-use cspace_model::{Mechanism, PairEntry, shown};
+use cspace::{AxisMotion, ComputeError, PairError};
+use cspace_model::{Mechanism, shown};
 use cspace_motion::cycle::{self, Cycles, NoCycle, PairCycle};
 use cspace_plan::clash::{Assembly, Passage, Question as Limits};
 
 use crate::error::Error;
 use crate::host::{Host, is_interrupted};
-use crate::subject::{Subject, Which};
+use crate::subject::Subject;
 
-use super::{At, Clearance, Cycle, Halt, Over, Row, row};
+use super::{At, Clearance, Cycle, Halt, Over, Row, failure, row};
 
 /// Pairs that are looked at over a cycle.
 #[derive(Default)]
@@ -90,14 +90,8 @@ pub(super) fn rows(
         let names = pair.map(|i| shown::text(model.parts[i].part.name()));
         let progress = host.begin(&names.join(","));
         if is_interrupted(&*progress) {
-            let which = PairEntry {
-                fixed: pair[0],
-                moving: pair[1],
-                window: None,
-            };
             let interrupted = PairError::Compute(ComputeError::Interrupted);
-            let of = subject.pair_of(which, &Which::default(), host);
-            return Err(of.failure(&interrupted));
+            return Err(failure(subject, pair, &interrupted, host));
         }
         if motion.reached <= motion.span.times[0] {
             notes.insert(format!(
@@ -109,7 +103,9 @@ pub(super) fn rows(
         let [a, b] = pair;
         found.pairs.insert([a.min(b), a.max(b)]);
         match assembly.over(pair, &mut motion, limits) {
-            Some(passage) => found.rows.push(one(model, pair, &motion, &passage)),
+            Some(passage) => found
+                .rows
+                .push(one(model, assembly, pair, &motion, &passage)),
             None => found.beyond += 1,
         }
     }
@@ -142,7 +138,13 @@ fn told(model: &Mechanism, why: &NoCycle) -> String {
     }
 }
 
-fn one(model: &Mechanism, pair: [usize; 2], motion: &PairCycle<'_>, passage: &Passage) -> Row {
+fn one(
+    model: &Mechanism,
+    assembly: &Assembly<'_>,
+    pair: [usize; 2],
+    motion: &PairCycle<'_>,
+    passage: &Passage,
+) -> Row {
     let told = row(model, Over::Cycle, &passage.clash);
     let time = passage.clash.time.unwrap_or(motion.span.times[0]);
     let name = |i: usize| model.parts[i].part.name().to_owned();
@@ -152,13 +154,7 @@ fn one(model: &Mechanism, pair: [usize; 2], motion: &PairCycle<'_>, passage: &Pa
             .collect()
     };
     let pose = |k: usize| {
-        let c = match model.parts[pair[k]].axis {
-            Some(axis) => axis.configuration(passage.at[k][0]),
-            None => {
-                let [x, y, theta] = passage.at[k];
-                Configuration::new(x, y, theta)
-            }
-        };
+        let c = assembly.configuration(pair[k], passage.at[k]);
         [c.x, c.y, c.theta]
     };
     let turns = |i: &usize| {

@@ -8,8 +8,8 @@ mod ranges;
 use std::collections::BTreeMap;
 use std::time::Instant;
 
-use cspace::{Coordinates, Part, Point};
-use cspace_model::Mechanism;
+use cspace::{Coordinates, PairError, Part, Point};
+use cspace_model::{Mechanism, PairEntry};
 use cspace_plan::clash::{Assembly, Clash, Clashes, Question as Limits, Sample, State};
 use cspace_plan::ranges::Pairs;
 use schemars::JsonSchema;
@@ -20,7 +20,7 @@ use crate::frame::{Answer, Content, PairAnswer};
 use crate::given;
 use crate::host::Host;
 use crate::outcome::outcomes;
-use crate::subject::{Subject, named_pair, tell_starts};
+use crate::subject::{Subject, Which, named_pair, tell_starts};
 
 /// Number of parts up to which all pairs are listed: so many parts make some 20,000 pairs.
 const MANY: usize = 200;
@@ -318,6 +318,16 @@ impl Question {
         let sizes = model.parts.iter().map(|p| p.part.size());
         NEARBY * sizes.fold(0.0, f64::max)
     }
+}
+
+/// Why two parts are not looked at, with their names.
+fn failure(subject: &Subject, pair: [usize; 2], error: &PairError, host: &dyn Host) -> Error {
+    let which = PairEntry {
+        fixed: pair[0],
+        moving: pair[1],
+        window: None,
+    };
+    (subject.pair_of(which, &Which::default(), host)).failure(error)
 }
 
 #[expect(clippy::trivially_copy_pass_by_ref, reason = "called by serde")]

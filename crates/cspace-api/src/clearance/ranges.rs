@@ -3,20 +3,21 @@
 use std::collections::BTreeMap;
 
 use cspace::{Axis, AxisMotion, ComputeError, Coordinates, FeatureName, PairError, Part};
-use cspace_model::{Mechanism, PairEntry, PartPosition, shown};
+use cspace_model::{Mechanism, PartPosition, shown};
 use cspace_plan::clash::{Assembly, Question as Limits, State};
 use cspace_plan::ranges::{self, Held, Pair, Pairs, Stop, Tightest, Verdict};
 
 use crate::error::Error;
 use crate::frame::PairAnswer;
 use crate::host::{Host, is_interrupted, spaces};
-use crate::subject::{Subject, Which};
+use crate::subject::Subject;
 
 use super::{
-    At, Backlash, Clearance, End, Outcome, Over, Row, Stopped, cycle, numbers, order, row,
+    At, Backlash, Clearance, End, Outcome, Over, Row, Stopped, cycle, failure, numbers, order, row,
 };
 
-/// All pairs that are asked about, those of linkages over a cycle, those on axes over their ranges and others as drawn, and how many are farther apart than was asked for.
+/// All pairs that are asked about, those of linkages over a cycle, those on axes over their ranges and others as drawn, and how many are
+/// farther apart than was asked for.
 pub(super) fn rows(
     subject: &Subject,
     model: &Mechanism,
@@ -103,12 +104,7 @@ fn over_ranges(
     let verdict = match found {
         Ok(verdict) => verdict,
         Err(error) => {
-            let which = PairEntry {
-                fixed: pair[0],
-                moving: pair[1],
-                window: None,
-            };
-            let failure = (subject.pair_of(which, &Which::default(), host)).failure(&error);
+            let failure = failure(subject, pair, &error, host);
             if error == interrupted {
                 return Err(failure);
             }

@@ -265,6 +265,8 @@ fn drawings_are_imported_below_the_folder() {
         client.refuses("import_drawing", &drawn, &["not below"]);
     }
     client.refuses("import_drawing", &json!({ "drawings": [] }), &["no file"]);
+    let named = json!({ "drawings": ["coin.svg"], "name": "penny" });
+    client.refuses("import_drawing", &named, &["no argument", "name"]);
 }
 
 #[test]

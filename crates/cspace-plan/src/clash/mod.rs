@@ -28,10 +28,11 @@ mod course;
 mod depth;
 mod pair;
 
+use cspace::Configuration;
 use cspace::part::Bounds;
 use cspace_model::Mechanism;
 
-use crate::legs::Body;
+use crate::legs::{Body, Coords};
 pub use answer::{Clash, Clashes, Question, Sample, State};
 pub(crate) use broad::{Boxed, near};
 pub use course::{Course, Leg, Passage};
@@ -82,6 +83,11 @@ impl<'a> Assembly<'a> {
     pub fn on_axes(&self, parts: [usize; 2], at: [f64; 2], question: &Question) -> Option<Clash> {
         let at = at.map(|t| [t, 0.0, 0.0]);
         drawn(&self.pair(parts, question.touch), at, question.within)
+    }
+
+    /// Where a part is at coordinates of a passage.
+    pub fn configuration(&self, part: usize, at: Coords) -> Configuration {
+        self.bodies[part].configuration(at)
     }
 
     /// Two parts over a motion that is known at every time; none if they are clear of each other by as much as is asked for all along. The

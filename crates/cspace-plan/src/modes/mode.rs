@@ -31,11 +31,14 @@ impl Mode {
     }
 }
 
+/// The ranges of a mode's coordinates, and a sample.
+type Reached<'a> = (&'a [(f64, f64)], &'a [f64]);
+
 /// Modes by the minimum of each coordinate, then by the maximum, then by the sample, which `of` gives; `mode_of` has their numbers and gets
 /// the new ones.
 pub(crate) fn in_order<M>(
     modes: impl IntoIterator<Item = M>,
-    of: fn(&M) -> (&[(f64, f64)], &[f64]),
+    of: fn(&M) -> Reached<'_>,
     mode_of: &mut [u32],
 ) -> Vec<M> {
     let key = |m: &M| -> Vec<f64> {

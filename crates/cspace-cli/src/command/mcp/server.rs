@@ -40,8 +40,9 @@ impl ServerHandler for Server {
         _: Option<PaginatedRequestParams>,
         _: RequestContext<RoleServer>,
     ) -> Result<ListToolsResult, ErrorData> {
-        let listed = tools().into_iter();
-        let listed = listed.map(|tool| Tool::new(tool.name, tool.about, Arc::new(tool.takes)));
+        let listed = tools().iter();
+        let listed =
+            listed.map(|tool| Tool::new(tool.name, &*tool.about, Arc::new(tool.takes.clone())));
         Ok(ListToolsResult::with_all_items(listed.collect()))
     }
 

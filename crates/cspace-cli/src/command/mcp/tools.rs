@@ -1,5 +1,7 @@
 //! The tools: their names, what each is for, and the schema of what each takes.
 
+use std::sync::LazyLock;
+
 use cspace_api::{Kind, Question, inlined};
 use serde_json::{Map, Value, json};
 
@@ -74,8 +76,13 @@ pub(super) struct Tool {
     pub(super) takes: Map<String, Value>,
 }
 
-/// All tools.
-pub(super) fn tools() -> Vec<Tool> {
+/// All tools, whose schemas are made once.
+pub(super) fn tools() -> &'static [Tool] {
+    static TOOLS: LazyLock<Vec<Tool>> = LazyLock::new(all);
+    &TOOLS
+}
+
+fn all() -> Vec<Tool> {
     let kinds = Question::kinds();
     let asking = ASKING.iter().filter_map(|asking| {
         let kind = kinds.iter().find(|kind| kind.name == asking.kind)?;
@@ -104,12 +111,17 @@ pub(super) fn tools() -> Vec<Tool> {
             &["model"],
         ),
     });
+    let mut import = inlined::<cspace_api::import::Question>().to_value();
+    // A model is called as its first drawing.
+    if let Some(Value::Object(properties)) = import.get_mut("properties") {
+        properties.remove("name");
+    }
     tools.push(Tool {
         name: "import_drawing",
         about: "A model of drawings (DXF, SVG, or points as CSV): what parts were made of which entities, what was left out, joined or fitted; and the model's text, or with `output` a model file."
             .to_owned(),
         takes: with(
-            inlined::<cspace_api::import::Question>().to_value(),
+            import,
             &["drawings", "layer", "output", "detail"],
             &["drawings"],
         ),
