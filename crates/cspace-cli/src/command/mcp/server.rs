@@ -19,7 +19,7 @@ use crate::failure::Failure;
 const INSTRUCTIONS: &str = "\
 Exact answers about planar mechanical parts of lines and arcs: does it fit, what touches, how far does it move, does it clear over its whole \
 range, can it be assembled. Write a model as text (tool `reference` says how; `model_info` and `draw` show whether it is what you mean), then \
-ask. Nothing is sampled: `no-path` and `clear` are proved. Lengths are in the model's unit, angles in radians.";
+ask. `no-path` is proved, and `clear` down to the gap `least`. Lengths are in the model's unit, angles in radians.";
 
 #[derive(Debug, Clone)]
 struct Server {
