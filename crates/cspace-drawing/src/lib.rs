@@ -23,6 +23,8 @@
 
 mod affine;
 mod arrange;
+#[cfg(feature = "kurbo")]
+mod bez_path;
 mod color;
 mod corner;
 mod curve;

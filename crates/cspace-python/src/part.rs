@@ -1,7 +1,5 @@
 //! Parts.
 
-use core::f64::consts::TAU;
-
 use cspace::Point;
 use pyo3::prelude::*;
 
@@ -84,26 +82,11 @@ impl Part {
         if !(tolerance > 0.0 && tolerance.is_finite()) {
             return Err(error("`tolerance` is not a positive number"));
         }
-        /// An arc has no more pieces.
-        const MOST: f64 = 1e6;
         let of = |l: &cspace::Loop| {
-            let mut points = Vec::new();
-            for edge in l.edges() {
-                points.push((edge.start.x, edge.start.y));
-                if edge.is_line() {
-                    continue;
-                }
-                // A chord of the angle a is r (1 − cos a/2) from its arc.
-                let radius = edge.radius().abs();
-                let half = (1.0 - (tolerance / radius).min(1.0)).acos();
-                let pieces = (edge.sweep().abs() / (2.0 * half)).ceil().clamp(1.0, MOST) as u32;
-                let pieces = pieces.max((edge.sweep().abs() / (0.25 * TAU)).ceil() as u32);
-                for k in 1..pieces {
-                    let p = edge.at(f64::from(k) / f64::from(pieces));
-                    points.push((p.x, p.y));
-                }
-            }
-            points
+            l.points(tolerance)
+                .into_iter()
+                .map(|p| (p.x, p.y))
+                .collect()
         };
         Ok(self.part.loops().iter().map(of).collect())
     }

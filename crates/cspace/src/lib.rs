@@ -6,14 +6,12 @@
 //! one part touches one feature of the other. This crate computes that surface in closed form, without polygons for arcs and without steps
 //! in θ, and answers queries from it.
 //!
-//! # From parts to a space
+//! # Two examples
 //!
-//! A [`Part`] is a set of closed loops; [`Part::polygon`], [`Part::circle`], [`Part::rectangle`], [`Part::slot`] and
-//! [`OutlineBuilder`] draw them. A [`PairSpace`] is computed from two parts and how they are related:
+//! A coin of radius 2 in a tray with a lip: where is it free, and does it come out?
 //!
 //! ```
 //! use cspace::{Configuration, Coordinates, Location, Options, OutlineBuilder, PairSpace, Part, Relation};
-//! // A tray 10 wide inside, with walls and a lip, and a coin of radius 2.
 //! let tray = OutlineBuilder::start((-6.0, -1.0))
 //!     .line_to((6.0, -1.0))
 //!     .line_to((6.0, 8.0))
@@ -30,7 +28,6 @@
 //! let coin = Part::circle("coin", (0.0, 0.0), 2.0)?;
 //! let space = PairSpace::compute(&tray, &coin, Relation::Planar, &Options::default())?;
 //!
-//! // Where is a configuration: free, and in which region; in contact; blocked; outside of what was computed?
 //! let at = |x, y| Coordinates::Planar(Configuration::new(x, y, 0.0));
 //! assert!(matches!(space.locate(at(0.0, 3.0))?, Location::Free(_)));
 //! assert_eq!(space.locate(at(0.0, 1.0))?, Location::Blocked);
@@ -38,16 +35,31 @@
 //! assert!((space.clearance(at(0.0, 3.0))? - 1.0).abs() < 1e-12);
 //! // The opening is 6.5 wide: the coin comes out.
 //! assert!(space.connected(at(0.0, 3.0), at(0.0, 20.0))?);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 //!
-//! // What does it meet on its way down, and when?
+//! A crank that turns about the origin comes down on a slide: each part has one axis, and a configuration is (u, v), an angle and a way.
+//! How far has it turned when it touches?
+//!
+//! ```
 //! use cspace::pair::PairMotion;
-//! let PairMotion::Contact(floor) = space.first_contact(at(0.0, 3.0), at(0.0, -1.0), 10.0)? else {
-//!     return Err("there is a floor".into());
+//! use cspace::{Axis, Coordinates, Options, PairSpace, Part, Point, Relation, Vector};
+//! let crank = Part::slot("crank", (0.0, 0.0), (0.0, 4.0), 1.0)?;
+//! let slide = Part::rectangle("slide", (-7.0, 0.0), 5.0, 2.0)?;
+//! let fixed = Axis::revolute(Point::ORIGIN);
+//! let moving = Axis::prismatic(Vector::new(1.0, 0.0));
+//! let space = PairSpace::compute(&crank, &slide, Relation::Axes { fixed, moving }, &Options::default())?;
+//!
+//! let at = |u, v| Coordinates::Axes { u, v };
+//! let PairMotion::Contact(touch) = space.first_contact(at(0.0, 0.0), at(1.0, 0.0), 2.0)? else {
+//!     return Err("the crank touches the slide".into());
 //! };
-//! assert!((floor.time - 1.0).abs() < 1e-9);
-//! let patch = space.patch(floor.patch)?;
-//! let (of_tray, of_coin) = patch.features()?;
-//! assert_eq!(of_tray.to_string(), "line 7 of loop 0 of the fixed part");
+//! // Its rounded end, of radius 1 and 4 from the axis, meets the corner (-4.5, 1): by the law of cosines.
+//! let corner = 4.5_f64.hypot(1.0);
+//! let expected = 4.5_f64.atan2(1.0) - ((16.0 + corner * corner - 1.0) / (8.0 * corner)).acos();
+//! assert!((touch.time - expected).abs() < 1e-9);
+//! let (of_crank, of_slide) = space.patch(touch.patch)?.features()?;
+//! assert_eq!(of_slide.to_string(), "vertex 2 of loop 0 of the moving part");
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
@@ -84,12 +96,14 @@
 //!
 //! # Cargo features
 //!
-//! Both are on unless `default-features = false` is given.
-//!
-//! - `serde`: public plain data, such as a [`Part`] or the [`SpaceData`](space::SpaceData) of a computed space, can be written and read
-//!   by `serde`.
-//! - `rayon`: work is divided among the threads of the `rayon` pool from which it is called. Without it the caller's thread does all of it.
-//!   Results do not depend on the number of threads.
+//! | feature | by default | what it adds |
+//! |---|---|---|
+//! | `serde` | yes | public plain data, such as a [`Part`] or the [`SpaceData`](space::SpaceData) of a computed space, is written and read by `serde` |
+//! | `rayon` | yes | work is divided among the threads of the `rayon` pool from which it is called; results do not depend on their number |
+//! | `schema` | | plain data has a JSON schema, by `schemars` |
+//! | `kurbo` | | `Point` and `Vec2`, an [`Edge`] of an `Arc`, `Part::from_circle`, `Part::to_bez_path`; `cspace-drawing` reads a `BezPath` |
+//! | `geo-types` | | `Coord` and `Point`, `Part::from_polygons`, `Part::to_polygons` |
+//! | `mint` | | `Point2` and `Vector2` |
 
 // It reads no files and prints nothing.
 #![warn(clippy::print_stdout, clippy::print_stderr)]
@@ -97,6 +111,8 @@
 mod boxes;
 mod classifier;
 pub(crate) mod contact;
+#[cfg(any(feature = "geo-types", feature = "kurbo", feature = "mint"))]
+pub mod convert;
 pub(crate) mod feature;
 pub mod fixed_axes;
 #[cfg(feature = "fuzzing")]

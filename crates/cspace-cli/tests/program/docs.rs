@@ -152,6 +152,11 @@ fn motion() {
     is_true("motion.md", 6);
 }
 
+#[test]
+fn a_skill_for_assistants() {
+    is_true("../skills/cspace/SKILL.md", 7);
+}
+
 /// The README shows a model and what is computed of it.
 #[test]
 fn the_first_model() {

@@ -3,10 +3,11 @@
 //! All formulas use the chord and the bulge b = tan(sweep / 4), never the centre, so that they keep
 //! their accuracy when the radius is many times the chord.
 
-use core::f64::consts::TAU;
+use core::f64::consts::{FRAC_PI_2, TAU};
 
 use crate::geometry::{Point, Rotation, Vector};
 
+use super::tolerance::MAX_VERTICES;
 use super::{Bounds, Edge};
 
 /// |bulge| below which [`Edge::segment_area`] sums a series (dimensionless).
@@ -43,6 +44,23 @@ impl Edge {
         let half = 0.5 * u * self.sweep();
         let ratio = if half == 0.0 { 1.0 } else { half.sin() / half };
         self.start + Rotation::by(half) * self.start_direction() * (self.length() * u * ratio)
+    }
+
+    /// The start and points between it and the end, which is left out, with chords no farther than `tolerance` from the curve, a length: a
+    /// chord of the angle a is r (1 − cos a/2) from its arc. No chord turns by more than a quarter, and there are at most [`MAX_VERTICES`].
+    ///
+    /// ```
+    /// use cspace::{Edge, Point};
+    /// let half_circle = Edge::between(Point::new(-1.0, 0.0), Point::new(1.0, 0.0), 1.0);
+    /// assert_eq!(half_circle.points(0.3).count(), 2);
+    /// ```
+    pub fn points(&self, tolerance: f64) -> impl Iterator<Item = Point> + use<> {
+        let half = (1.0 - (tolerance / self.radius()).min(1.0)).acos();
+        let chords = self.sweep().abs() / (2.0 * half).min(FRAC_PI_2);
+        // A line has no sweep, and one chord.
+        let chords = chords.ceil().max(1.0).min(MAX_VERTICES as f64) as u32;
+        let edge = *self;
+        (0..chords).map(move |k| edge.at(f64::from(k) / f64::from(chords)))
     }
 
     /// The fraction of the length at which a point of the curve lies; for a point near the curve, that of a point about as near.

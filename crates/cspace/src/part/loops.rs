@@ -1,6 +1,6 @@
 //! Parts and their loops.
 
-use crate::geometry::Configuration;
+use crate::geometry::{Configuration, Point};
 
 use super::check::{check_extent, check_numbers};
 use super::corner::check_corners;
@@ -46,6 +46,11 @@ impl Loop {
     pub fn edges(&self) -> impl Iterator<Item = Edge> + '_ {
         let n = self.vertices.len();
         (0..n).filter_map(move |i| self.edge(if self.reversed { n - 1 - i } else { i }))
+    }
+
+    /// Points along the loop, material on the left, as of [`Edge::points`].
+    pub fn points(&self, tolerance: f64) -> Vec<Point> {
+        self.edges().flat_map(|e| e.points(tolerance)).collect()
     }
 
     /// The index of the vertex at which an edge starts in the direction of travel, given the edge's own.
