@@ -50,7 +50,7 @@ class Held:
 
 def main():
     args = maps.arguments(__doc__, 200)
-    values = {"head": cs.normal(10, 0.1), "mouth": cs.normal(9.1, 0.1)}
+    values = {"head": cs.distributions.normal(10, 0.1), "mouth": cs.distributions.normal(9.1, 0.1)}
     held = Held()
     with maps.chosen(args.map, args.workers) as map:
         # Workers start with the first rows.

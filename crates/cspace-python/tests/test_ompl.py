@@ -135,7 +135,7 @@ def test_plans_are_paths():
         assert np.allclose(found.path[0], start) and np.allclose(found.path[-1][:2], goal[:2])
         assert math.isclose(math.remainder(found.path[-1][2] - goal[2], math.tau), 0, abs_tol=1e-9)
         for first, second in zip(found.path, found.path[1:]):
-            assert abs(second[2] - first[2]) <= math.pi and space.move(first, second - first).result == "free"
+            assert abs(second[2] - first[2]) <= math.pi and space.move(first, second - first).outcome == "free"
 
 
 def test_proofs_come_without_sampling(monkeypatch):
