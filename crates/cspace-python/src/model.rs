@@ -252,7 +252,7 @@ impl Model {
         arguments.set_item("question", kind)?;
         let question: Question = pythonize::depythonize(arguments.as_any())
             .map_err(|e| error(format_args!("{kind}: {e}")))?;
-        let subject = Arc::clone(&self.subject);
+        let (subject, said) = (Arc::clone(&self.subject), said(self.of_values));
         let answer = work::run(py, move |progress| {
             question.ask(&subject, &Asking { progress }).map_err(said)
         })?;
@@ -263,7 +263,7 @@ impl Model {
     fn _plan<'py>(&self, py: Python<'py>, arguments: &Bound<'py, PyDict>) -> PyResult<Told<'py>> {
         let question: plan::Question = pythonize::depythonize(arguments.as_any())
             .map_err(|e| error(format_args!("plan: {e}")))?;
-        let subject = Arc::clone(&self.subject);
+        let (subject, said) = (Arc::clone(&self.subject), said(self.of_values));
         let planned = work::run(py, move |progress| {
             let host = Asking { progress };
             let pair = subject.one_pair(&question.which, &host).map_err(said)?;
@@ -325,10 +325,28 @@ impl Host for Asking<'_> {
     }
 }
 
-/// An error with its advice.
-fn said(error: Error) -> String {
-    match &error.help {
-        Some(help) => format!("{error}\nhelp: {help}"),
-        None => error.to_string(),
+/// How errors of questions are told, with their advice; of a model that no text was written for without a place in it.
+fn said(of_values: bool) -> fn(Error) -> String {
+    fn with_advice(error: Error) -> String {
+        match &error.help {
+            Some(help) => format!("{error}\nhelp: {help}"),
+            None => error.to_string(),
+        }
+    }
+    fn without_place(mut error: Error) -> String {
+        let place = match (&error.file, error.line.zip(error.column)) {
+            (Some(file), Some((line, column))) => format!("{file}:{line}:{column}: "),
+            (Some(file), None) => format!("{file}: "),
+            (None, _) => String::new(),
+        };
+        if let Some(message) = error.message.strip_prefix(&place) {
+            error.message = message.to_owned();
+        }
+        with_advice(error)
+    }
+    if of_values {
+        without_place
+    } else {
+        with_advice
     }
 }

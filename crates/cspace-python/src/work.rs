@@ -76,7 +76,7 @@ pub(crate) fn pool() -> PyResult<Arc<ThreadPool>> {
     Ok(pool)
 }
 
-/// What `cspace.progress` has set to hear of long work.
+/// The callable of Python that hears of long work: that of `cspace.progress`, if there is one.
 pub(crate) struct Listener(Option<Py<PyAny>>);
 
 impl Listener {
@@ -98,7 +98,7 @@ impl Listener {
     }
 }
 
-/// What work has told of itself and its asker has not heard yet.
+/// News of work that its asker has not heard yet.
 #[derive(Default)]
 struct Told {
     stages: Vec<(Stage, f64)>,

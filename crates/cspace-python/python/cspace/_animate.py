@@ -15,7 +15,7 @@ from ._part import Part
 
 # Writers of matplotlib by the extension of the file, and what they need.
 _WRITERS = {".gif": ("pillow", "pip install pillow"), ".mp4": ("ffmpeg", "install the program ffmpeg")}
-_FACES = ("#cdd9e5", "#f3d9a8", "#cfe3cf", "#e5cdd9", "#d9d3ea", "#ebe5df")
+_FACES = (_draw.FILL, _draw.MOVING, "#cfe3cf", "#e5cdd9", "#d9d3ea")
 # What is left free around the parts, as a share of what they cover.
 _MARGIN = 0.05
 

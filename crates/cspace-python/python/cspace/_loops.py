@@ -161,7 +161,7 @@ class Loops(Sequence[list[tuple[float, float, float]]]):
         return _draw.plot(self, ax, style)
 
     def _repr_svg_(self) -> str:
-        return _draw.svg(self, self.bounds if self else (0.0, 0.0, 0.0, 0.0))
+        return _draw.svg([(self, _draw.FILL)], self.bounds if self else (0.0, 0.0, 0.0, 0.0))
 
     def __repr__(self) -> str:
         vertices = sum(map(len, self))

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, overload
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from . import _rust
+from . import _draw, _rust
 from ._arrays import angle, number, position, window
 from ._classes import Class
 from ._errors import Error
@@ -24,9 +24,6 @@ from ._results import ContactFunction, Crossing, Motion, Nearest, Patch, Plan, P
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-# The side of a slice on which the parts overlap.
-_BLOCKED = "#ebe5df"
-_MOVING = "#f3d9a8"
 _CLASSES = tuple(Class)
 
 
@@ -409,11 +406,11 @@ class ContactSpace:
                 "two parts on axes have no slices in x and y: their space in u and v is written as a picture by the command, "
                 "`space.save(\"space.json\")` and then `cspace slice space.json -o space.svg`"
             )
-        ax = self.slice(theta).plot(ax, facecolor=_BLOCKED, zorder=1)
+        ax = self.slice(theta).plot(ax, facecolor=_draw.BLOCKED, zorder=1)
         if at is not None:
             x, y = position("at", at)
             self.fixed.plot(ax, alpha=0.8, zorder=2)
-            self.moving.outline.moved(x, y, theta).plot(ax, facecolor=_MOVING, alpha=0.8, zorder=2)
+            self.moving.outline.moved(x, y, theta).plot(ax, facecolor=_draw.MOVING, alpha=0.8, zorder=2)
             ax.plot([x], [y], color="black", marker="+", zorder=3)
         return ax
 
