@@ -5,6 +5,7 @@ import importlib
 import inspect
 import os
 import pickle
+import sys
 from collections.abc import Callable, Iterable, Mapping
 from functools import lru_cache
 from typing import Any
@@ -28,18 +29,28 @@ def _function(sent: bytes) -> Callable[..., Any]:
     return function
 
 
+def _pickler() -> Any:
+    """Cloudpickle where it is installed, or comes with a package that is in use; else pickle. It sends functions without a name, and those of a
+    notebook or a program itself, which workers cannot import."""
+    for name in ("cloudpickle", "joblib.externals.cloudpickle", "ray.cloudpickle"):
+        package = name.partition(".")[0]
+        if package in ("cloudpickle", *sys.modules):
+            try:
+                return importlib.import_module(name)
+            except ImportError:
+                continue
+    return pickle
+
+
 def _sent(function: Callable[..., Any]) -> bytes:
-    """A function as workers receive it: one without a name by cloudpickle, where that is installed."""
+    """A function as workers receive it."""
     try:
-        return pickle.dumps(function)
+        sent: bytes = _pickler().dumps(function)
     except (AttributeError, TypeError, pickle.PicklingError) as error:
-        try:
-            sent: bytes = importlib.import_module("cloudpickle").dumps(function)
-            return sent
-        except ImportError:
-            raise Error(
-                f"`function` cannot be sent to workers ({error}): define it with a name in a module, or install cloudpickle"
-            ) from None
+        raise Error(
+            f"`function` cannot be sent to workers ({error}): define it with a name in a module, or install cloudpickle"
+        ) from None
+    return sent
 
 
 def _numbers(answer: Any) -> dict[str, float]:
