@@ -17,11 +17,14 @@ ELSEWHERE = ("__main__", "_rust", "_widget", "ompl")
 EXPECTED = """\
 0.1000 sideways, 0.6376 degrees
 path 0.0500
+6 of 24 meet the plate, the first after 16.56
+line 0 of loop 0 is a line at (-5.0, -9.0)
 1.8 comes out
 2.0 caged
 [0.1 0.1 0.1 0.1 0.1]
 0.20000000000000
 [{'play': 0.15
+the fork goes from -2.95 to 3.00, the cam turns by 3.1416
 of them have enough play 0
 Loops(1 loop, 2 vertices) [(150.0, 150.0), (250.0, 150.0)]
 (2.0, 2.0, 0)

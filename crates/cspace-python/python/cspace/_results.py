@@ -316,7 +316,7 @@ class Simulation(answers.SimulateAnswer):
         """The parts in motion, a frame for each sample: written to a .gif or .mp4 file, `fps` frames a second; without a path an animation
         of matplotlib, which a notebook shows by `.to_jshtml()`. It runs as fast as the mechanism where samples are 1/`fps` apart.
 
-        >>> model.simulate(2.0, every=0.04).animate("motion.gif")  # doctest: +SKIP
+        >>> model.simulate(1.0, every=0.04).animate("motion.gif")  # doctest: +SKIP
         """
         places: Callable[[Any], dict[str, tuple[Part, Any]]] | None = vars(self)["_places"]
         if places is None:
