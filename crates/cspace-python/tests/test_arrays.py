@@ -2,6 +2,7 @@
 
 import json
 import os
+import pickle
 import signal
 import subprocess
 import sys
@@ -100,7 +101,7 @@ def test_features_are_names_with_a_place():
     for patch in space.patches[::50]:
         for part, feature in ((space.fixed, patch.fixed), (space.moving, patch.moving)):
             assert feature == f"{feature.kind} {feature.number} of loop {feature.loop}" == part.feature(str(feature))
-            assert part.feature(feature).kind == feature.kind
+            assert part.feature(feature).kind == feature.kind == pickle.loads(pickle.dumps(feature)).kind
     with pytest.raises(cs.Error, match='gripper has no feature "line 99 of loop 0"\nhelp'):
         space.fixed.feature("line 99 of loop 0")
 

@@ -73,6 +73,8 @@ def test_heights_and_names_stay():
         assert part.feature("flank").kind == "line" and part.feature("flank").loop == 0
     for part in (ARBOR.moved(5, 0), ARBOR.scaled(0.5), pickle.loads(pickle.dumps(ARBOR))):
         assert [z for z, _ in part.layers] == [(0, 4), (4, 10)]
+    # The pinion is no hole in the wheel.
+    assert math.isclose(ARBOR.outline.area, math.pi * (81 + 4), rel_tol=1e-14)
     assert pickle.loads(pickle.dumps(ARBOR)) == ARBOR != cs.Part(ARBOR.loops[:1], name="arbor")
     assert len({ARBOR, pickle.loads(pickle.dumps(ARBOR)), PLATE}) == 2
 

@@ -48,7 +48,7 @@ def svg(drawn: Iterable[tuple[Loops, str]], bounds: tuple[float, float, float, f
             if _is_point(loop)
         )
         shapes += (
-            f'<path d="{path}" fill="{fill}" stroke="{LINE}" fill-rule="evenodd" stroke-width="{_STROKE * size:.3g}"/>{dots}'
+            f'<path d="{path}" fill="{fill}" stroke="{LINE}" stroke-width="{_STROKE * size:.3g}"/>{dots}'
         )
     return f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="{box}" width="300">{shapes}</svg>'
 

@@ -267,12 +267,12 @@ class Part:
 
     @property
     def outline(self) -> Loops:
-        """The loops with the material on the left: outer ones counter-clockwise, holes clockwise.
+        """The loops with the material of their layer on the left: outer ones counter-clockwise, holes clockwise.
 
         >>> cs.Part.rectangle(4, 2).outline
         Loops(1 loop, 4 vertices)
         """
-        return outline(Loops(self.loops))
+        return Loops([loop for _, loops in self.layers for loop in outline(Loops(loops))])
 
     @property
     def area(self) -> float:
