@@ -569,7 +569,7 @@ impl Space {
     )> {
         let space = &self.known(py)?.space;
         let onto = patch.map(|p| patch_id(space, p)).transpose()?;
-        let answer = |at: Coordinates| {
+        let answer = move |space: &PairSpace, at: Coordinates| {
             let Some(length_per_radian) = length_per_radian else {
                 let found = space.nearest_contact(at)?;
                 return Ok(found.map(|n| (n.patch, n.at, n.distance)));
@@ -584,8 +584,12 @@ impl Space {
         let asked = asked(q, space)?;
         let is_one = matches!(asked, Asked::One(_));
         let all = match asked {
-            Asked::One(at) => vec![work::here(py, || answer(at).map_err(error))?],
-            Asked::Many(rows) => each(py, &rows, answer)?,
+            Asked::One(at) => {
+                let space = Arc::clone(space);
+                let found = work::run(py, move |_| answer(&space, at).map_err(|e| e.to_string()))?;
+                vec![found]
+            }
+            Asked::Many(rows) => each(py, &rows, |at| answer(space, at))?,
         };
         let nowhere = || vec![f64::NAN; width(space)];
         let patches = (all.iter()).map(|n| n.map_or(-1, |n| n.0.index() as i64));

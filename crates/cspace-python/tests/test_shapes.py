@@ -82,6 +82,7 @@ def test_heights_and_names_stay():
 def test_models_are_made_of_dictionaries():
     model = cs.Model.from_dict({"unit": "mm", "part": [NAMED, {"name": "coin", "loops": [{"circle": np.float64(2), "at": np.zeros(2)}]}]})
     assert model.unit == "mm" and model.compute().moving.name == "coin" and pickle.loads(pickle.dumps(model)).to_dict() == model.to_dict()
+    assert cs.Model.from_dict({"part": [{"name": "plate", "loops": PLATE.outline}]}).parts["plate"].area == PLATE.area
     for text, name in ((CAM, "cam.toml"), (PEG, "peg.toml"), (json.dumps({"part": [NAMED]}), "key.json")):
         told = cs.Model.loads(text, name)
         again = cs.Model.from_dict(told.to_dict())
@@ -175,7 +176,7 @@ def test_saved_spaces_are_read(name, tmp_path):
 
 def test_the_commands_spaces_are_read(command, tmp_path):
     out = tmp_path / "peg.json"
-    subprocess.run([command, "compute", str(ROOT / "models/peg_hole.toml"), "-o", str(out)], check=True, capture_output=True)
+    subprocess.run([command, "export", str(ROOT / "models/peg_hole.toml"), "-o", str(out)], check=True, capture_output=True)
     space = cs.Model.load(ROOT / "models/peg_hole.toml").compute()
     again = cs.ContactSpace.load(out)
     assert again.patches == space.patches and again.unit == "mm"

@@ -13,25 +13,15 @@ from ._errors import Error
 from ._features import Feature
 from ._loops import Loops, outline
 from ._optional import optional
+from ._record import plain
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 
-def _plain(value: Any) -> Any:
-    """A value as JSON has it: arrays as lists."""
-    if hasattr(value, "tolist"):
-        return value.tolist()
-    if isinstance(value, dict):
-        return {key: _plain(item) for key, item in value.items()}
-    if isinstance(value, (list, tuple)):
-        return [_plain(item) for item in value]
-    return value
-
-
 def _read(name: str, unit: str | None = None, **keys: Any) -> _rust.Part:
     """The part of a model that has these keys."""
-    keys = {key: _plain(value) for key, value in keys.items() if value is not None}
+    keys = {key: plain(value) for key, value in keys.items() if value is not None}
     model: dict[str, Any] = {"part": [{"name": name, **keys}]}
     if unit is not None:
         model["unit"] = unit
@@ -70,7 +60,7 @@ class Part:
     __slots__ = ("_part",)
 
     def __init__(self, loops: Any, name: str = "part", z: Sequence[float] | None = None) -> None:
-        loops = _plain(loops)
+        loops = plain(loops)
         if not isinstance(loops, list):
             raise Error("`loops` is no list of loops")
         if loops and isinstance(loops[0], list) and loops[0] and isinstance(loops[0][0], (int, float)):
@@ -125,12 +115,12 @@ class Part:
         >>> cs.Part.from_points([(0, 0), (4, 0), (0, 3), (0, 0)]).area
         6.0
         """
-        plain = _plain(points)
-        if not isinstance(plain, list) or any(not isinstance(point, list) or len(point) != 2 for point in plain):
+        given = plain(points)
+        if not isinstance(given, list) or any(not isinstance(point, list) or len(point) != 2 for point in given):
             raise Error("`points` are not n×2: with bulges, give Part([loop])")
-        if len(plain) > 1 and plain[0] == plain[-1]:
-            plain = plain[:-1]
-        return cls([plain], name=name)
+        if len(given) > 1 and given[0] == given[-1]:
+            given = given[:-1]
+        return cls([given], name=name)
 
     @classmethod
     def from_shapely(cls, polygon: Any, name: str = "part") -> "Part":

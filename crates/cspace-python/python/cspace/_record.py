@@ -133,14 +133,14 @@ def _each(read: Callable[[Any], Any], value: Any) -> Any:
 
 
 def plain(value: Any) -> Any:
-    """A value without records, tuples and arrays."""
+    """A value without records, tuples, arrays and loops."""
     if isinstance(value, Record):
         return value.to_dict()
     if isinstance(value, dict):
         return {key: plain(one) for key, one in value.items()}
     if isinstance(value, (list, tuple)):
         return [plain(one) for one in value]
-    return value.tolist() if isinstance(value, (np.ndarray, np.generic)) else value
+    return value.tolist() if hasattr(value, "tolist") else value
 
 
 def _finite(value: Any) -> Any:

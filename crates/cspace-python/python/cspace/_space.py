@@ -52,7 +52,7 @@ class ContactSpace:
 
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> "ContactSpace":
-        """The space in a file that `save` or the command has written: read, not computed again.
+        """The space in a file that `save` or the command, `cspace export`, has written: read, not computed again.
 
         >>> cs.ContactSpace.load("space.json")  # doctest: +SKIP
         """
