@@ -54,7 +54,7 @@ ANSWERS = {
     "PairSpace.nearest_patch": "ContactSpace.nearest",
     # Motions.
     "PairSpace.first_contact": "ContactSpace.move",
-    "PairSpace.first_contact_about": "missing: first contacts of motions that take another point of the part than its origin straight",
+    "PairSpace.first_contact_about": "ContactSpace.move",
     "PairSpace.first_contact_along": "missing: the first contact along any curve that a function of Python gives, with bounds of its rates",
     "PairSpace.crossings": "ContactSpace.crossings",
     # Contact functions.

@@ -156,7 +156,7 @@ class Loops(Sequence[list[tuple[float, float, float]]]):
 
         `style` is that of a patch of matplotlib, such as facecolor, edgecolor or alpha.
 
-        >>> space.slice(0).plot(facecolor="white")  # doctest: +SKIP
+        >>> ax = space.slice(0).plot(facecolor="white")
         """
         return _draw.plot(self, ax, style)
 

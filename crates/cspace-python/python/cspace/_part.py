@@ -150,7 +150,8 @@ class Part:
 
         They are converted to `unit` where the drawing says its own, and multiplied by `scale`.
 
-        >>> cs.Part.from_dxf("plate.dxf", layer="outline")  # doctest: +SKIP
+        >>> cs.Part.from_dxf("plate.dxf", name="plate").name
+        'plate'
         """
         path = os.path.abspath(path)
         return cls._of(_read(name, unit, dxf=path, layer=layer, hatches=hatches, pick=pick, scale=scale))
@@ -167,7 +168,8 @@ class Part:
     ) -> "Part":
         """The outlines of an SVG drawing, or of its element `id`, or the faces around the points `pick`.
 
-        >>> cs.Part.from_svg("plate.svg", id="outline")  # doctest: +SKIP
+        >>> cs.Part.from_svg("plate.svg", id="outline", scale=1).bounds
+        (1.0, -5.0, 5.0, -1.0)
         """
         return cls._of(_read(name, unit, svg=os.path.abspath(path), id=id, pick=pick, scale=scale))
 
@@ -328,7 +330,7 @@ class Part:
 
         `style` is that of a patch of matplotlib, such as facecolor, edgecolor or alpha.
 
-        >>> cs.Part.circle(2).plot(facecolor="gold")  # doctest: +SKIP
+        >>> ax = cs.Part.circle(2).plot(facecolor="gold")
         """
         return self.outline.plot(ax, **style)
 

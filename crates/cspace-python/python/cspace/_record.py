@@ -81,7 +81,6 @@ class Record(dict[str, Any]):
         read = self._read
         return {key: _coordinates(one) if read.get(key) is configuration else plain(one) for key, one in self.items()}
 
-
     def to_dataframe(self, rows: str | None = None) -> Any:
         """The rows of the answer as a pandas.DataFrame: what it has of each requirement, pair or part, or the list under the key `rows`.
 

@@ -252,7 +252,7 @@ class Plan(OfPair, answers.PlanAnswer):
         """The two parts on their way, in so many `frames`: written to a .gif or .mp4 file, `fps` frames a second; without a path an animation
         of matplotlib, which a notebook shows by `.to_jshtml()`.
 
-        >>> space.plan((-6, 4, 0), (6, 4, 0)).animate("way.gif", frames=20)  # doctest: +SKIP
+        >>> moving = space.plan((-6, 4, 0), (6, 4, 0)).animate("way.gif", frames=3)
         """
         places: Places | None = vars(self)["_places"]
         if places is None:
@@ -264,7 +264,9 @@ class Plan(OfPair, answers.PlanAnswer):
 class Escape(OfPair, answers.EnergyAnswer):
     """The least energy that lets a part out: `answer.energy`, between `answer.least` and `answer.most`.
 
-    >>> model.escape()  # doctest: +SKIP
+    >>> answer = cup.escape()
+    >>> answer.outcome, answer.least <= 40 <= answer.most
+    ('escapes', True)
     """
 
 
@@ -316,7 +318,7 @@ class Simulation(answers.SimulateAnswer):
         """The parts in motion, a frame for each sample: written to a .gif or .mp4 file, `fps` frames a second; without a path an animation
         of matplotlib, which a notebook shows by `.to_jshtml()`. It runs as fast as the mechanism where samples are 1/`fps` apart.
 
-        >>> model.simulate(1.0, every=0.04).animate("motion.gif")  # doctest: +SKIP
+        >>> moving = model.simulate(1.0, every=0.5).animate("motion.gif")
         """
         places: Callable[[Any], dict[str, tuple[Part, Any]]] | None = vars(self)["_places"]
         if places is None:
