@@ -1,13 +1,13 @@
 //! Questions to patches and their contact functions, on arrays.
 
 use cspace::{Band, QueryError};
-use numpy::{IntoPyArray, PyArray1, PyArray2, PyReadonlyArray1};
+use numpy::{IntoPyArray, PyArray2, PyReadonlyArray1};
 use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::error::error;
-use crate::rows::{Asked, asked, each, matrix, numbers, one, patch_id, width};
+use crate::rows::{Asked, asked, each, each_of, matrix, numbers, one, patch_id, width};
 use crate::space::Space;
 use crate::work;
 
@@ -79,27 +79,19 @@ pub(crate) fn _ends<'py>(
     let space = space.shared(py)?;
     let patch = space.patch(patch_id(&space, patch)?).map_err(error)?;
     patch.orientations().map_err(error)?;
-    let thetas = thetas.as_slice()?;
-    let mut ends = [Vec::new(), Vec::new()];
-    for &theta in thetas {
-        let found = match patch.ends_at(theta) {
-            Ok(both) => both.map(|(at, _)| numbers(at)[..2].to_vec()),
-            Err(QueryError::Outside) => [vec![f64::NAN; 2], vec![f64::NAN; 2]],
-            Err(e) => return Err(error(e)),
-        };
-        for (all, end) in ends.iter_mut().zip(found) {
-            all.push(end);
+    let found = each_of(py, thetas.as_slice()?, 1, |row| {
+        match patch.ends_at(row[0]) {
+            Ok(both) => Ok(both.map(|(at, _)| numbers(at)[..2].to_vec())),
+            Err(QueryError::Outside) => Ok([vec![f64::NAN; 2], vec![f64::NAN; 2]]),
+            Err(e) => Err(e),
         }
-    }
-    let [starts, ends] = ends.map(|rows| {
-        let flat: Vec<f64> = rows.into_iter().flatten().collect();
-        flat.into_pyarray(py)
-    });
-    let shaped = |flat: Bound<'py, PyArray1<f64>>| -> PyResult<Bound<'py, PyArray2<f64>>> {
-        let shaped = flat.call_method1("reshape", (thetas.len(), 2))?;
+    })?;
+    let shaped = |end: usize| -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let flat: Vec<f64> = found.iter().flat_map(|both| both[end].clone()).collect();
+        let shaped = (flat.into_pyarray(py)).call_method1("reshape", (found.len(), 2))?;
         Ok(shaped.cast_into()?)
     };
-    Ok((shaped(starts)?, shaped(ends)?))
+    Ok((shaped(0)?, shaped(1)?))
 }
 
 /// The bands: the orientations between which nothing but lengths changes.
