@@ -30,7 +30,7 @@ class Play:
 
 def main():
     args = maps.arguments(__doc__, 500)
-    values = {"distance": cs.normal(60, 0.02), "disc": cs.normal(22.1, 0.02), "play": cs.triangular(0.05, 0.1, 0.15)}
+    values = {"distance": cs.distributions.normal(60, 0.02), "disc": cs.distributions.normal(22.1, 0.02), "play": cs.distributions.triangular(0.05, 0.1, 0.15)}
     with maps.chosen(args.map, args.workers) as map:
         cs.monte_carlo(Play(), 128, map=map, **values)
         begin = time.perf_counter()

@@ -11,7 +11,7 @@ def arguments(description, rows):
     """The arguments of an example: how many rows, and where they are computed."""
     parser = argparse.ArgumentParser(description=description, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--rows", type=int, default=rows)
-    parser.add_argument("--map", choices=["here", "processes", "dask", "ray"], default="here")
+    parser.add_argument("--map", choices=["here", "processes", "joblib", "dask", "ray"], default="here")
     parser.add_argument("--workers", type=int, default=None)
     return parser.parse_args()
 
@@ -25,6 +25,11 @@ def chosen(name, workers):
     elif name == "processes":
         with concurrent.futures.ProcessPoolExecutor(workers) as executor:
             yield executor.map
+    elif name == "joblib":
+        from joblib import Parallel, delayed
+
+        with Parallel(workers or -1) as parallel:
+            yield lambda function, tasks: parallel(delayed(function)(task) for task in tasks)
     elif name == "dask":
         from distributed import Client
 

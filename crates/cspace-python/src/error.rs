@@ -40,3 +40,14 @@ pub(crate) fn of_model(error: &cspace_model::ModelError) -> PyErr {
         None => self::error(error),
     }
 }
+
+/// An error of a model that no text was written for: where in the model, without file, line and column.
+pub(crate) fn of_values(error: &cspace_model::ModelError) -> PyErr {
+    let place = error.place();
+    let colon = if place.is_empty() { "" } else { ": " };
+    let message = format!("{place}{colon}{}", error.message());
+    match error.help() {
+        Some(help) => with_help(message, help),
+        None => self::error(message),
+    }
+}

@@ -31,9 +31,7 @@ mod _rust {
     #[pymodule_export]
     use crate::picture::_svg;
     #[pymodule_export]
-    use crate::questions::{
-        _bands, _connected, _crossings, _ends, _evaluate, _measures, _projected,
-    };
+    use crate::questions::{_bands, _connected, _crossings, _ends, _evaluate, _measures};
 
     use pyo3::prelude::*;
 
@@ -57,6 +55,7 @@ mod _rust {
                 moving: moving.part.clone(),
                 relation: cspace::Relation::Planar,
                 window: theta,
+                unit: None,
             },
         )
     }

@@ -3,17 +3,19 @@
 use std::fmt::Display;
 use std::sync::Arc;
 
-use cspace::Progress;
+use cspace::{AxisMotion, Progress};
 use cspace_api::subject::ModelFile;
 use cspace_api::{Error, Host, Question, Subject, plan};
 use cspace_model::model::{Setting, Template};
 use cspace_model::{Document, Host as ReadHost, Mechanism, PairEntry};
+use numpy::{PyArray2, PyReadonlyArray1};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use crate::error::{error, internal, of_model, with_help};
+use crate::error::{error, internal, of_model, of_values, with_help};
 use crate::part::Part;
 use crate::plan::{Planned, Told};
+use crate::rows::poses;
 use crate::space::{Pair, Space};
 use crate::work;
 
@@ -21,20 +23,22 @@ use crate::work;
 #[pyclass(frozen, module = "cspace._rust", name = "Model")]
 pub(crate) struct Model {
     subject: Arc<Subject>,
+    /// Whether its text was written for values, so that no place in it means anything.
+    of_values: bool,
 }
 
 impl Model {
-    fn new(template: Arc<Template>, set: Vec<Setting>) -> PyResult<Self> {
+    fn new(template: Arc<Template>, set: Vec<Setting>, of_values: bool) -> PyResult<Self> {
         let host = ReadHost {
             set: &set,
             ..ReadHost::default()
         };
-        let model = template.model(&host).map_err(|e| of_model(&e))?;
+        let model = (template.model(&host)).map_err(|e| placed(of_values)(&e))?;
         let path = template.path().to_owned();
         let document = Document::Model(Box::new(model));
         let subject = Subject::of(path, document, Some(template), set);
         let subject = Arc::new(subject);
-        Ok(Self { subject })
+        Ok(Self { subject, of_values })
     }
 
     fn file(&self) -> PyResult<&ModelFile> {
@@ -72,30 +76,32 @@ impl Model {
             let what = format_args!("{}: the file is a saved contact space", path.display());
             return Err(with_help(what, "give the model file"));
         }
-        Self::new(Arc::new(template), Vec::new())
+        Self::new(Arc::new(template), Vec::new(), false)
     }
 
-    /// The model in a text, TOML unless the extension of `path` is .json.
+    /// The model in a text, TOML unless the extension of `path` is .json; errors in one that was written for values name no place in it.
     #[staticmethod]
     fn _loads(
         text: String,
         path: std::path::PathBuf,
         set: Vec<(String, String)>,
+        of_values: bool,
     ) -> PyResult<Self> {
-        let template = Template::from_text(text, path).map_err(|e| of_model(&e))?;
+        let template = Template::from_text(text, path).map_err(|e| placed(of_values)(&e))?;
         let set = set.into_iter().map(|(name, value)| Setting { name, value });
-        Self::new(Arc::new(template), set.collect())
+        Self::new(Arc::new(template), set.collect(), of_values)
     }
 
-    /// The source of the model: the text, the path, and the values that are set.
+    /// The source of the model: the text, the path, the values that are set, and whether the text was written for values.
     #[expect(clippy::type_complexity, reason = "a tuple of Python")]
-    fn _source(&self) -> PyResult<(String, String, Vec<(String, String)>)> {
+    fn _source(&self) -> PyResult<(String, String, Vec<(String, String)>, bool)> {
         let (file, template) = (self.file()?, self.template()?);
         let set = file.set.iter().map(|s| (s.name.clone(), s.value.clone()));
         Ok((
             template.text().to_owned(),
             template.path().display().to_string(),
             set.collect(),
+            self.of_values,
         ))
     }
 
@@ -120,7 +126,7 @@ impl Model {
             set.retain(|s| s.name != setting.name);
             set.push(setting);
         }
-        Self::new(Arc::clone(self.template()?), set)
+        Self::new(Arc::clone(self.template()?), set, self.of_values)
     }
 
     /// The name.
@@ -163,6 +169,24 @@ impl Model {
         let name = |i: usize| mechanism.parts[i].part.name().to_owned();
         let of = |p: &PairEntry| (name(p.fixed), name(p.moving));
         Ok(mechanism.pairs.iter().map(of).collect())
+    }
+
+    /// The axis of a part, if it moves on one or not at all.
+    fn _is_on_axis(&self, part: &str) -> PyResult<Option<bool>> {
+        let axis = self.mechanism()?.parts[self.part_index(part)?].axis;
+        Ok(axis.map(|axis| axis.motion != AxisMotion::Fixed))
+    }
+
+    /// Where a part on an axis is for its coordinates: rows (x, y, theta).
+    fn _poses<'py>(
+        &self,
+        py: Python<'py>,
+        part: &str,
+        coordinates: PyReadonlyArray1<'py, f64>,
+    ) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let axis = self.mechanism()?.parts[self.part_index(part)?].axis;
+        let axis = axis.ok_or_else(|| internal("a part in the plane has no axis"))?;
+        poses(py, coordinates.as_slice()?, |t| axis.configuration(t))
     }
 
     /// The names of the requirements.
@@ -213,6 +237,7 @@ impl Model {
                 moving: part(entry.moving),
                 relation: mechanism.relation(&entry),
                 window: theta.or(entry.window),
+                unit: self.subject.unit().map(str::to_owned),
             },
         )
     }
@@ -227,7 +252,7 @@ impl Model {
         arguments.set_item("question", kind)?;
         let question: Question = pythonize::depythonize(arguments.as_any())
             .map_err(|e| error(format_args!("{kind}: {e}")))?;
-        let subject = Arc::clone(&self.subject);
+        let (subject, said) = (Arc::clone(&self.subject), said(self.of_values));
         let answer = work::run(py, move |progress| {
             question.ask(&subject, &Asking { progress }).map_err(said)
         })?;
@@ -238,7 +263,7 @@ impl Model {
     fn _plan<'py>(&self, py: Python<'py>, arguments: &Bound<'py, PyDict>) -> PyResult<Told<'py>> {
         let question: plan::Question = pythonize::depythonize(arguments.as_any())
             .map_err(|e| error(format_args!("plan: {e}")))?;
-        let subject = Arc::clone(&self.subject);
+        let (subject, said) = (Arc::clone(&self.subject), said(self.of_values));
         let planned = work::run(py, move |progress| {
             let host = Asking { progress };
             let pair = subject.one_pair(&question.which, &host).map_err(said)?;
@@ -261,6 +286,14 @@ impl Model {
             names.join(", "),
             values.join(", ")
         ))
+    }
+}
+
+/// How errors of a model are told.
+fn placed(no_text: bool) -> fn(&cspace_model::ModelError) -> PyErr {
+    match no_text {
+        true => of_values,
+        false => of_model,
     }
 }
 
@@ -292,10 +325,28 @@ impl Host for Asking<'_> {
     }
 }
 
-/// An error with its advice.
-fn said(error: Error) -> String {
-    match &error.help {
-        Some(help) => format!("{error}\nhelp: {help}"),
-        None => error.to_string(),
+/// How errors of questions are told, with their advice; of a model that no text was written for without a place in it.
+fn said(of_values: bool) -> fn(Error) -> String {
+    fn with_advice(error: Error) -> String {
+        match &error.help {
+            Some(help) => format!("{error}\nhelp: {help}"),
+            None => error.to_string(),
+        }
+    }
+    fn without_place(mut error: Error) -> String {
+        let place = match (&error.file, error.line.zip(error.column)) {
+            (Some(file), Some((line, column))) => format!("{file}:{line}:{column}: "),
+            (Some(file), None) => format!("{file}: "),
+            (None, _) => String::new(),
+        };
+        if let Some(message) = error.message.strip_prefix(&place) {
+            error.message = message.to_owned();
+        }
+        with_advice(error)
+    }
+    if of_values {
+        without_place
+    } else {
+        with_advice
     }
 }

@@ -1,9 +1,9 @@
 //! Parts.
 
-use cspace::Point;
+use cspace::{FeatureName, Point};
 use pyo3::prelude::*;
 
-use crate::error::{error, of_model};
+use crate::error::{error, of_values, with_help};
 
 /// Vertices (x, y, bulge) of a loop.
 type Outline = Vec<(f64, f64, f64)>;
@@ -11,6 +11,24 @@ type Outline = Vec<(f64, f64, f64)>;
 fn outline(of: &cspace::Loop) -> Outline {
     let vertices = of.vertices().iter();
     vertices.map(|v| (v.x, v.y, v.bulge)).collect()
+}
+
+/// A feature: its name, its kind, and the numbers of its loop and in it.
+pub(crate) type Told = (String, String, u32, u32);
+
+/// A feature of a part as Python reads it.
+pub(crate) fn told(part: &cspace::Part, feature: FeatureName) -> Told {
+    let FeatureName {
+        kind,
+        loop_index,
+        index,
+    } = feature;
+    (
+        part.feature_text(feature),
+        kind.to_string(),
+        loop_index,
+        index,
+    )
 }
 
 /// A rigid part: closed loops of line segments and circular arcs.
@@ -24,11 +42,44 @@ impl Part {
     /// The part in a model's JSON, of which it is the only one.
     #[staticmethod]
     fn _from_json(text: &str) -> PyResult<Self> {
-        let model = cspace_model::model::from_json(text, "part").map_err(|e| of_model(&e))?;
+        let model = cspace_model::model::from_json(text, "part").map_err(|e| of_values(&e))?;
         match <[_; 1]>::try_from(model.parts) {
             Ok([entry]) => Ok(Self { part: entry.part }),
             Err(_) => Err(error("the model has not one part")),
         }
+    }
+
+    /// The part as it is sent, with its heights and the names of its features.
+    fn _sent(&self) -> PyResult<String> {
+        serde_json::to_string(&self.part).map_err(error)
+    }
+
+    /// The part that was sent.
+    #[staticmethod]
+    fn _received(text: &str) -> PyResult<Self> {
+        let part = serde_json::from_str(text).map_err(error)?;
+        Ok(Self { part })
+    }
+
+    /// The part with its vertices elsewhere: as many loops of as many, whose features keep their names.
+    fn _redrawn(&self, loops: Vec<Outline>) -> PyResult<Self> {
+        let vertex = |(x, y, bulge): (f64, f64, f64)| cspace::Vertex::new(x, y, bulge);
+        let of = |l: Outline| l.into_iter().map(vertex).collect();
+        let part = self.part.redrawn(loops.into_iter().map(of).collect());
+        Ok(Self {
+            part: part.map_err(error)?,
+        })
+    }
+
+    /// A feature by its name: the name, the kind, and the numbers of its loop and in it.
+    fn _feature(&self, name: &str) -> PyResult<Told> {
+        let found = self.part.feature_called(name).ok_or_else(|| {
+            with_help(
+                format_args!("{} has no feature {name:?}", self.part.name()),
+                "give the name that the part gives it, or its kind and place, such as \"line 0 of loop 0\"",
+            )
+        })?;
+        Ok(told(&self.part, found))
     }
 
     /// The name.
@@ -58,6 +109,13 @@ impl Part {
     #[getter]
     fn area(&self) -> f64 {
         self.part.moments().area
+    }
+
+    /// The centroid of the area: (x, y).
+    #[getter]
+    fn centroid(&self) -> (f64, f64) {
+        let Point { x, y } = self.part.moments().centroid;
+        (x, y)
     }
 
     /// The smallest and the largest x and y: (x, y, x, y).

@@ -1,26 +1,15 @@
 //! Questions to patches and their contact functions, on arrays.
 
-use cspace::{Band, Metric, PairSpace, PatchId, QueryError};
-use numpy::{IntoPyArray, PyArray1, PyArray2, PyReadonlyArray1};
+use cspace::{Band, QueryError};
+use numpy::{IntoPyArray, PyArray2, PyReadonlyArray1};
 use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::error::error;
-use crate::rows::{Asked, asked, each, matrix, numbers, one, width};
+use crate::rows::{Asked, asked, each, each_of, matrix, numbers, one, patch_id, width};
 use crate::space::Space;
 use crate::work;
-
-/// The patch of a number.
-fn patch_id(space: &PairSpace, patch: i64) -> PyResult<PatchId> {
-    let count = space.patch_count();
-    let id = u32::try_from(patch).ok().map(PatchId);
-    id.filter(|id| id.index() < count).ok_or_else(|| {
-        error(format_args!(
-            "there is no patch {patch}: they are numbered from 0, and there are {count}"
-        ))
-    })
-}
 
 /// The contact function of a patch at configurations: value, gradient and Hessian by the coordinates.
 #[pyfunction]
@@ -48,7 +37,7 @@ pub(crate) fn _evaluate<'py>(
         }
         Asked::Many(rows) => {
             let all = each(py, &rows, |at| {
-                Ok((contact.evaluate(at)?, contact.touching(at)?))
+                Ok::<_, QueryError>((contact.evaluate(at)?, contact.touching(at)?))
             })?;
             let values: Vec<f64> = all.iter().map(|c| c.0.value).collect();
             let flat = |of: &dyn Fn(usize) -> Vec<f64>| -> Vec<f64> {
@@ -90,27 +79,19 @@ pub(crate) fn _ends<'py>(
     let space = space.shared(py)?;
     let patch = space.patch(patch_id(&space, patch)?).map_err(error)?;
     patch.orientations().map_err(error)?;
-    let thetas = thetas.as_slice()?;
-    let mut ends = [Vec::new(), Vec::new()];
-    for &theta in thetas {
-        let found = match patch.ends_at(theta) {
-            Ok(both) => both.map(|(at, _)| numbers(at)[..2].to_vec()),
-            Err(QueryError::Outside) => [vec![f64::NAN; 2], vec![f64::NAN; 2]],
-            Err(e) => return Err(error(e)),
-        };
-        for (all, end) in ends.iter_mut().zip(found) {
-            all.push(end);
+    let found = each_of(py, thetas.as_slice()?, 1, |row| {
+        match patch.ends_at(row[0]) {
+            Ok(both) => Ok(both.map(|(at, _)| numbers(at)[..2].to_vec())),
+            Err(QueryError::Outside) => Ok([vec![f64::NAN; 2], vec![f64::NAN; 2]]),
+            Err(e) => Err(e),
         }
-    }
-    let [starts, ends] = ends.map(|rows| {
-        let flat: Vec<f64> = rows.into_iter().flatten().collect();
-        flat.into_pyarray(py)
-    });
-    let shaped = |flat: Bound<'py, PyArray1<f64>>| -> PyResult<Bound<'py, PyArray2<f64>>> {
-        let shaped = flat.call_method1("reshape", (thetas.len(), 2))?;
+    })?;
+    let shaped = |end: usize| -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let flat: Vec<f64> = found.iter().flat_map(|both| both[end].clone()).collect();
+        let shaped = (flat.into_pyarray(py)).call_method1("reshape", (found.len(), 2))?;
         Ok(shaped.cast_into()?)
     };
-    Ok((shaped(starts)?, shaped(ends)?))
+    Ok((shaped(0)?, shaped(1)?))
 }
 
 /// The bands: the orientations between which nothing but lengths changes.
@@ -147,30 +128,6 @@ pub(crate) fn _connected<'py>(
         Asked::One(at) => answer(at).map_err(error)?.into_bound_py_any(py),
         Asked::Many(rows) => Ok(each(py, &rows, answer)?.into_pyarray(py).into_any()),
     }
-}
-
-/// The nearest configuration of a patch, or of any, where a radian counts as a length: its patch, the configuration and the distance.
-#[pyfunction]
-#[pyo3(signature = (space, q, length_per_radian, patch=None))]
-pub(crate) fn _projected(
-    py: Python<'_>,
-    space: &Space,
-    q: &Bound<'_, PyAny>,
-    length_per_radian: f64,
-    patch: Option<i64>,
-) -> PyResult<Option<(usize, Vec<f64>, f64)>> {
-    let space = space.shared(py)?;
-    let at = one(q, &space, "q")?;
-    let onto = patch.map(|p| patch_id(&space, p)).transpose()?;
-    let metric = Metric { length_per_radian };
-    let found = work::run(py, move |_| {
-        match onto {
-            Some(onto) => space.project(at, onto, metric).map(|p| Some((onto, p))),
-            None => space.nearest_patch(at, metric),
-        }
-        .map_err(|e| e.to_string())
-    })?;
-    Ok(found.map(|(patch, p)| (patch.index(), numbers(p.at), p.distance)))
 }
 
 /// The contacts that a motion of constant rates from `start` by `by` comes through: for each its patch, the fraction of the displacement,

@@ -1,27 +1,32 @@
 //! The configuration space of a pair.
 
+use std::collections::HashMap;
+use std::fmt::Display;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, OnceLock};
 
 use cspace::{
-    Classification, Classifier, ContactSpace, Coordinates, LinkKind, Location, Options, PairSpace,
-    QueryError, Relation, Vector,
+    Classification, Classifier, Configuration, ContactSpace, Coordinates, LinkKind, Location,
+    Metric, NearFeatures, Options, PairSpace, QueryError, Relation, Vector, Window,
 };
 use cspace_api::plan::Plan;
 use cspace_api::{Answer, PairAnswer};
-use cspace_design::{Motion, displace, free_range, pair_of, texts};
+use cspace_design::{FeaturePair, Motion, Unmeasured, displace, free_range, pair_of};
 use cspace_model::model::Coordinate;
+use cspace_model::saved::{self, SavedFile};
 use cspace_model::write::mesh::{Mesh, MeshOptions};
 use cspace_plan::{Clearance, Planner, Prefer, Wishes, fits_exactly, with_gap};
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyUntypedArrayMethods};
 use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
 
-use crate::error::error;
+use crate::error::{error, of_model};
 use crate::nest::{Loops, loops};
-use crate::part::Part;
+use crate::part::{Part, Told as ToldFeature, told};
 use crate::plan::{Planned, Told};
-use crate::rows::{Asked, asked, each, matrix, numbers, one, width};
+use crate::rows::{
+    self, Asked, asked, coordinates, each, each_of, matrix, numbers, one, patch_id, poses, width,
+};
 use crate::work;
 
 /// After so many questions a space is prepared for millions: that takes about as long as so many of them.
@@ -34,7 +39,73 @@ pub(crate) struct Pair {
     pub(crate) moving: cspace::Part,
     pub(crate) relation: Relation,
     pub(crate) window: Option<(f64, f64)>,
+    /// The label of the unit of length, if the model has one.
+    pub(crate) unit: Option<String>,
 }
+
+impl Pair {
+    /// The pair of a space that was saved.
+    fn of(space: &PairSpace, unit: Option<String>) -> Self {
+        let (relation, window) = match space {
+            PairSpace::Planar(space) => {
+                let Window { lo, hi, full_turn } = space.window();
+                (Relation::Planar, (!full_turn).then_some((lo, hi)))
+            }
+            PairSpace::FixedAxes(space) => {
+                let (fixed, moving) = space.axes();
+                (Relation::Axes { fixed, moving }, None)
+            }
+            PairSpace::Lower(pair) => (Relation::Joint(pair.joint(), pair.limits()), None),
+        };
+        Self {
+            fixed: space.fixed().clone(),
+            moving: space.moving().clone(),
+            relation,
+            window,
+            unit,
+        }
+    }
+}
+
+/// Pairs of features, each once, and their numbers.
+struct Pairs<'a> {
+    pair: &'a Pair,
+    all: Vec<FeaturePair>,
+    numbers: HashMap<FeaturePair, usize>,
+}
+
+/// Features of the fixed and of the moving part, as Python reads them.
+type ToldPairs = Vec<(ToldFeature, ToldFeature)>;
+
+impl<'a> Pairs<'a> {
+    fn of(pair: &'a Pair) -> Self {
+        Self {
+            pair,
+            all: Vec::new(),
+            numbers: HashMap::new(),
+        }
+    }
+
+    fn numbers(&mut self, pairs: impl IntoIterator<Item = FeaturePair>) -> Vec<usize> {
+        let all = &mut self.all;
+        let mut number = |pair| {
+            *self.numbers.entry(pair).or_insert_with(|| {
+                all.push(pair);
+                all.len() - 1
+            })
+        };
+        pairs.into_iter().map(&mut number).collect()
+    }
+
+    fn told(self) -> ToldPairs {
+        let Pair { fixed, moving, .. } = self.pair;
+        let of = |(f, m): FeaturePair| (told(fixed, f), told(moving, m));
+        self.all.into_iter().map(of).collect()
+    }
+}
+
+/// A smaller moving part's space, and by how much it is smaller.
+type Roomy = (Arc<PairSpace>, f64);
 
 /// A space, with what prepares it for many questions.
 struct Known {
@@ -74,7 +145,7 @@ pub(crate) struct Space {
     pair: Pair,
     known: OnceLock<Known>,
     /// The space with the moving part smaller by a gap, for questions where the parts fit exactly, and the gap.
-    roomy: OnceLock<Option<(Arc<PairSpace>, f64)>>,
+    roomy: OnceLock<Option<Roomy>>,
 }
 
 fn code(class: Classification) -> u8 {
@@ -83,6 +154,38 @@ fn code(class: Classification) -> u8 {
         Classification::Blocked => 1,
         Classification::Contact => 2,
     }
+}
+
+/// Whether the parts fit exactly at a configuration; what cannot be asked there is told where it is asked.
+fn fits(space: &PairSpace, at: Coordinates) -> bool {
+    fits_exactly(space, at).unwrap_or(false)
+}
+
+/// How far each coordinate goes from a configuration when it alone changes, and what touches at the two ends.
+type Ranges = Vec<([f64; 2], [Vec<FeaturePair>; 2])>;
+
+/// The coordinates of a space.
+fn names(space: &PairSpace) -> &'static [Coordinate] {
+    match width(space) {
+        2 => &[Coordinate::U, Coordinate::V],
+        _ => &[Coordinate::X, Coordinate::Y, Coordinate::Theta],
+    }
+}
+
+fn ranges(space: &PairSpace, at: Coordinates) -> Result<Ranges, Unmeasured> {
+    let of = |of: &Coordinate| {
+        let mut found = [f64::NEG_INFINITY, f64::INFINITY];
+        let mut features = [Vec::new(), Vec::new()];
+        let ends = free_range(space, *of, at)?;
+        for ((end, touching), stop) in found.iter_mut().zip(&mut features).zip(ends) {
+            if let Some((value, stop)) = stop {
+                *end = value;
+                *touching = stop.features;
+            }
+        }
+        Ok((found, features))
+    };
+    names(space).iter().map(of).collect()
 }
 
 /// Refuses a length that is none.
@@ -140,24 +243,44 @@ impl Space {
         at: impl IntoIterator<Item = Coordinates>,
     ) -> PyResult<(Arc<PairSpace>, Option<f64>)> {
         let space = &self.known(py)?.space;
-        // What cannot be asked there is told where it is asked.
-        let fits = |at: Coordinates| fits_exactly(space, at).unwrap_or(false);
-        if !at.into_iter().any(fits) {
-            return Ok((Arc::clone(space), None));
-        }
-        let roomy = match self.roomy.get() {
-            Some(roomy) => roomy,
-            None => {
-                let roomy = match with_gap(&self.pair.fixed, &self.pair.moving) {
-                    Some((smaller, gap)) => Some((Arc::new(self.with_moving(py, smaller)?), gap)),
-                    None => None,
-                };
-                self.roomy.get_or_init(|| roomy)
-            }
-        };
-        Ok(match roomy {
+        let fits = at.into_iter().any(|at| fits(space, at));
+        Ok(match self.roomy(py, fits)? {
             Some((space, gap)) => (Arc::clone(space), Some(*gap)),
             None => (Arc::clone(space), None),
+        })
+    }
+
+    /// The space with room, if it is needed and there is one.
+    fn roomy(&self, py: Python<'_>, is_needed: bool) -> PyResult<Option<&Roomy>> {
+        if !is_needed {
+            return Ok(None);
+        }
+        if self.roomy.get().is_none() {
+            let roomy = match with_gap(&self.pair.fixed, &self.pair.moving) {
+                Some((smaller, gap)) => Some((Arc::new(self.with_moving(py, smaller)?), gap)),
+                None => None,
+            };
+            self.roomy.get_or_init(|| roomy);
+        }
+        Ok(self.roomy.get().and_then(Option::as_ref))
+    }
+
+    /// Answers about rows of numbers that begin with a configuration, each in the space that has room there, with the gap.
+    fn in_rooms<T: Send, E: Display + Send>(
+        &self,
+        py: Python<'_>,
+        (numbers, width): (&[f64], usize),
+        answer: impl Fn(&PairSpace, &[f64]) -> Result<T, E> + Sync + Send,
+    ) -> PyResult<Vec<(T, f64)>> {
+        let space = &self.known(py)?.space;
+        let start = |row: &[f64]| coordinates(&row[..rows::width(space)]);
+        let is_needed = each_of(py, numbers, width, |row| {
+            Ok::<_, E>(fits(space, start(row)))
+        })?;
+        let roomy = self.roomy(py, is_needed.contains(&true))?;
+        each_of(py, numbers, width, |row| match roomy {
+            Some((roomy, gap)) if fits(space, start(row)) => answer(roomy, row).map(|a| (a, *gap)),
+            _ => answer(space, row).map(|a| (a, f64::NAN)),
         })
     }
 
@@ -185,19 +308,32 @@ impl Space {
 impl Space {
     /// The pair of a sent space, which computes it when it is first asked.
     #[staticmethod]
-    #[pyo3(signature = (fixed, moving, relation, window))]
+    #[pyo3(signature = (fixed, moving, relation, window, unit))]
     fn _restored(
         fixed: &Part,
         moving: &Part,
         relation: &str,
         window: Option<(f64, f64)>,
+        unit: Option<String>,
     ) -> PyResult<Self> {
         Ok(Self::later(Pair {
             fixed: fixed.part.clone(),
             moving: moving.part.clone(),
             relation: serde_json::from_str(relation).map_err(error)?,
             window,
+            unit,
         }))
+    }
+
+    /// The space in a text that was saved; `file` is its name in errors.
+    #[staticmethod]
+    fn _loaded(py: Python<'_>, text: String, file: String) -> PyResult<Self> {
+        let saved = work::run(py, move |_| {
+            Ok(SavedFile::from_json(&text, &file).map_err(|e| of_model(&e)))
+        })??;
+        let this = Self::later(Pair::of(&saved.space, saved.unit));
+        this.known.get_or_init(|| Known::new(saved.space));
+        Ok(this)
     }
 
     fn _relation(&self) -> PyResult<String> {
@@ -207,6 +343,39 @@ impl Space {
     #[getter]
     fn window(&self) -> Option<(f64, f64)> {
         self.pair.window
+    }
+
+    /// The label of the unit of length, if the model has one.
+    #[getter]
+    fn unit(&self) -> Option<&str> {
+        self.pair.unit.as_deref()
+    }
+
+    /// Where the fixed and the moving part are at configurations: rows (x, y, theta) for each.
+    #[expect(clippy::type_complexity, reason = "two arrays")]
+    fn _poses<'py>(
+        &self,
+        py: Python<'py>,
+        q: &Bound<'py, PyAny>,
+    ) -> PyResult<(Bound<'py, PyArray2<f64>>, Bound<'py, PyArray2<f64>>)> {
+        let all = match asked(q, &self.known(py)?.space)? {
+            Asked::One(at) => vec![at],
+            Asked::Many(rows) => (rows.as_slice()?)
+                .chunks_exact(rows.shape()[1])
+                .map(coordinates)
+                .collect(),
+        };
+        let pose = |at: Coordinates| match (at, self.pair.relation) {
+            (Coordinates::Axes { u, v }, Relation::Axes { fixed, moving }) => {
+                (fixed.configuration(u), moving.configuration(v))
+            }
+            (Coordinates::Planar(c), _) => (Configuration::default(), c),
+            (Coordinates::Axes { .. }, _) => Default::default(),
+        };
+        Ok((
+            poses(py, &all, |at| pose(at).0)?,
+            poses(py, &all, |at| pose(at).1)?,
+        ))
     }
 
     /// The fixed part.
@@ -294,21 +463,23 @@ impl Space {
         Ok(regions.into_iter().map(of).collect())
     }
 
-    /// The contact patches: features of the fixed and of the moving part, the region and the orientations they bound, if any.
+    /// The contact patches: pairs of features, and for each patch the number of its pair, the region and the orientations it bounds, if
+    /// any.
     #[expect(clippy::type_complexity, reason = "Python makes records of it")]
     fn _patches(
         &self,
         py: Python<'_>,
-    ) -> PyResult<Vec<(String, String, Option<usize>, Option<(f64, f64)>)>> {
+    ) -> PyResult<(ToldPairs, Vec<(usize, Option<usize>, Option<(f64, f64)>)>)> {
         let space = &self.known(py)?.space;
-        let of = |patch: cspace::PairPatch<'_>| {
+        let mut pairs = Pairs::of(&self.pair);
+        let mut of = |patch: cspace::PairPatch<'_>| {
             let (fixed, moving) = patch.features()?;
-            let [fixed, moving] = texts(space, (fixed.name, moving.name));
+            let number = pairs.numbers([(fixed.name, moving.name)])[0];
             let region = patch.region()?.map(cspace::RegionId::index);
-            Ok((fixed, moving, region, patch.orientations().ok()))
+            Ok((number, region, patch.orientations().ok()))
         };
-        let all: Result<Vec<_>, QueryError> = space.patches().map(of).collect();
-        all.map_err(error)
+        let all: Result<Vec<_>, QueryError> = space.patches().map(&mut of).collect();
+        Ok((pairs.told(), all.map_err(error)?))
     }
 
     /// Links between patches as arrays: first patch, second patch, and the smallest and largest orientation of the link (nan on fixed
@@ -340,112 +511,237 @@ impl Space {
         ))
     }
 
-    /// The patches no farther than `tolerance` from a configuration, with the distances.
+    /// The patches no farther than `tolerance` from configurations: of one their numbers and distances, of many arrays of the rows, the
+    /// numbers and the distances.
     #[pyo3(signature = (q, tolerance=None))]
-    fn contacts(
+    fn contacts<'py>(
         &self,
-        py: Python<'_>,
-        q: &Bound<'_, PyAny>,
+        py: Python<'py>,
+        q: &Bound<'py, PyAny>,
         tolerance: Option<f64>,
-    ) -> PyResult<Vec<(usize, f64)>> {
+    ) -> PyResult<Bound<'py, PyAny>> {
         let space = &self.known(py)?.space;
-        let at = one(q, space, "q")?;
         let tolerance = tolerance.unwrap_or_else(|| space.resolution());
         check("tolerance", tolerance)?;
-        let found = space.contacts(at, tolerance).map_err(error)?;
-        Ok(found.into_iter().map(|(p, off)| (p.index(), off)).collect())
+        let answer = |at| space.contacts(at, tolerance);
+        let rows = match asked(q, space)? {
+            Asked::One(at) => {
+                let found = answer(at).map_err(error)?.into_iter();
+                let found: Vec<_> = found.map(|(p, off)| (p.index(), off)).collect();
+                return found.into_bound_py_any(py);
+            }
+            Asked::Many(rows) => each(py, &rows, answer)?,
+        };
+        let mut columns = (Vec::new(), Vec::new(), Vec::new());
+        for (row, found) in (0_i64..).zip(rows) {
+            for (patch, off) in found {
+                columns.0.push(row);
+                columns.1.push(patch.index() as i64);
+                columns.2.push(off);
+            }
+        }
+        let (rows, patches, offs) = columns;
+        (
+            rows.into_pyarray(py),
+            patches.into_pyarray(py),
+            offs.into_pyarray(py),
+        )
+            .into_bound_py_any(py)
     }
 
-    /// The nearest configuration in contact: its patch, the configuration, and how far it is.
-    fn _nearest(
+    /// The nearest configurations in contact, of a patch or of any, at the same orientation or with a radian that counts as a length:
+    /// arrays of the patches, -1 where there is none, of the configurations, and how far they are. And whether one was asked about.
+    #[pyo3(signature = (q, length_per_radian, patch))]
+    #[expect(clippy::type_complexity, reason = "three arrays")]
+    fn _nearest<'py>(
         &self,
-        py: Python<'_>,
-        q: &Bound<'_, PyAny>,
-    ) -> PyResult<Option<(usize, Vec<f64>, f64)>> {
-        let space = Arc::clone(&self.known(py)?.space);
-        let at = one(q, &space, "q")?;
-        let found = work::run(py, move |_| {
-            space.nearest_contact(at).map_err(|e| e.to_string())
-        })?;
-        Ok(found.map(|n| (n.patch.index(), numbers(n.at), n.distance)))
+        py: Python<'py>,
+        q: &Bound<'py, PyAny>,
+        length_per_radian: Option<f64>,
+        patch: Option<i64>,
+    ) -> PyResult<(
+        (
+            Bound<'py, PyArray1<i64>>,
+            Bound<'py, PyArray2<f64>>,
+            Bound<'py, PyArray1<f64>>,
+        ),
+        bool,
+    )> {
+        let space = &self.known(py)?.space;
+        let onto = patch.map(|p| patch_id(space, p)).transpose()?;
+        let answer = move |space: &PairSpace, at: Coordinates| {
+            let Some(length_per_radian) = length_per_radian else {
+                let found = space.nearest_contact(at)?;
+                return Ok(found.map(|n| (n.patch, n.at, n.distance)));
+            };
+            let metric = Metric { length_per_radian };
+            let found = match onto {
+                Some(onto) => Some((onto, space.project(at, onto, metric)?)),
+                None => space.nearest_patch(at, metric)?,
+            };
+            Ok::<_, QueryError>(found.map(|(patch, p)| (patch, p.at, p.distance)))
+        };
+        let asked = asked(q, space)?;
+        let is_one = matches!(asked, Asked::One(_));
+        let all = match asked {
+            Asked::One(at) => {
+                let space = Arc::clone(space);
+                let found = work::run(py, move |_| answer(&space, at).map_err(|e| e.to_string()))?;
+                vec![found]
+            }
+            Asked::Many(rows) => each(py, &rows, |at| answer(space, at))?,
+        };
+        let nowhere = || vec![f64::NAN; width(space)];
+        let patches = (all.iter()).map(|n| n.map_or(-1, |n| n.0.index() as i64));
+        let places = all.iter().map(|n| n.map_or_else(nowhere, |n| numbers(n.1)));
+        let distances = all.iter().map(|n| n.map_or(f64::INFINITY, |n| n.2));
+        let found = (
+            patches.collect::<Vec<_>>().into_pyarray(py),
+            matrix(py, places.collect())?,
+            distances.collect::<Vec<_>>().into_pyarray(py),
+        );
+        Ok((found, is_one))
     }
 
-    /// The features that touch, or are no farther than `within` apart: names on the fixed and the moving part, and their distance.
-    fn near_features(
+    /// The features that touch, or are no farther than `within` apart: pairs of features, and of each its number and the distance.
+    fn _features_within(
         &self,
         py: Python<'_>,
         q: &Bound<'_, PyAny>,
         within: f64,
-    ) -> PyResult<Vec<(String, String, f64)>> {
+    ) -> PyResult<(ToldPairs, Vec<f64>)> {
         let space = &self.known(py)?.space;
         let at = one(q, space, "q")?;
         check("within", within)?;
         let near = space.near_features(at, within).map_err(error)?;
-        let of = |n: &cspace::pair::NearFeatures| {
-            let [fixed, moving] = texts(space, pair_of(n));
-            (fixed, moving, n.distance)
+        let Pair { fixed, moving, .. } = &self.pair;
+        let of = |n: &NearFeatures| {
+            let (f, m) = pair_of(n);
+            ((told(fixed, f), told(moving, m)), n.distance)
         };
-        Ok(near.iter().map(of).collect())
+        Ok(near.iter().map(of).unzip())
     }
 
-    /// A motion of constant rates from `start` by the displacement `by`: what becomes of it, how much of it is done, where it ends, and
-    /// what touches there, and the gap that was taken.
+    /// Motions of constant rates from `start` by the displacements `by`, of which one may go with many: arrays of what becomes of them, how
+    /// much of it is done, where they end, and the gaps that were taken, nan without; pairs of features, and the numbers of those that touch
+    /// there. And whether one was asked about.
     #[expect(clippy::type_complexity, reason = "Python makes a record of it")]
-    fn _move(
+    fn _move<'py>(
         &self,
-        py: Python<'_>,
-        start: &Bound<'_, PyAny>,
-        by: &Bound<'_, PyAny>,
+        py: Python<'py>,
+        start: &Bound<'py, PyAny>,
+        by: &Bound<'py, PyAny>,
         about: (f64, f64),
-    ) -> PyResult<(&'static str, f64, Vec<f64>, Vec<[String; 2]>, Option<f64>)> {
+    ) -> PyResult<(
+        (
+            Vec<&'static str>,
+            Bound<'py, PyArray1<f64>>,
+            Bound<'py, PyArray2<f64>>,
+            Bound<'py, PyArray1<f64>>,
+        ),
+        (ToldPairs, Vec<Vec<usize>>),
+        bool,
+    )> {
         let space = &self.known(py)?.space;
-        let (from, by) = (one(start, space, "start")?, one(by, space, "by")?);
-        let (space, gap) = self.with_room(py, [from])?;
+        let width = width(space);
+        let (start, by) = (asked(start, space)?, asked(by, space)?);
+        let is_one = matches!((&start, &by), (Asked::One(_), Asked::One(_)));
+        let [start, by] = [start.numbers()?, by.numbers()?];
+        let (from, to) = (start.len() / width, by.len() / width);
+        if from != to && from != 1 && to != 1 {
+            return Err(error(format_args!(
+                "`start` has {from} rows and `by` {to}: give as many, or one of either"
+            )));
+        }
+        let row = |all: &[f64], i: usize| all[i * width % all.len()..][..width].to_vec();
+        let count = if from.min(to) == 0 { 0 } else { from.max(to) };
+        let both: Vec<f64> = (0..count)
+            .flat_map(|i| [row(&start, i), row(&by, i)].concat())
+            .collect();
         let about = Vector::new(about.0, about.1);
-        let done = displace(&space, &Motion::new(from, by).about(about)).map_err(error)?;
-        let touching = done.features.into_iter().map(|p| texts(&space, p));
+        let answer = |space: &PairSpace, row: &[f64]| {
+            let (from, by) = row.split_at(width);
+            let motion = Motion::new(coordinates(from), coordinates(by)).about(about);
+            displace(space, &motion)
+        };
+        let all = match is_one {
+            true => {
+                let (space, gap) = self.with_room(py, [coordinates(&both[..width])])?;
+                let done = work::here(py, || answer(&space, &both).map_err(error))?;
+                vec![(done, gap.unwrap_or(f64::NAN))]
+            }
+            false => self.in_rooms(py, (&both, 2 * width), answer)?,
+        };
+        let mut pairs = Pairs::of(&self.pair);
+        let touching = (all.iter()).map(|(d, _)| pairs.numbers(d.features.iter().copied()));
+        let touching = touching.collect();
+        let fractions: Vec<f64> = all.iter().map(|(d, _)| d.fraction).collect();
+        let gaps: Vec<f64> = all.iter().map(|(_, gap)| *gap).collect();
+        let places = all.iter().map(|(d, _)| numbers(d.at)).collect();
         Ok((
-            done.outcome.name(),
-            done.fraction,
-            numbers(done.at),
-            touching.collect(),
-            gap,
+            (
+                all.iter().map(|(d, _)| d.outcome.name()).collect(),
+                fractions.into_pyarray(py),
+                matrix(py, places)?,
+                gaps.into_pyarray(py),
+            ),
+            (pairs.told(), touching),
+            is_one,
         ))
     }
 
-    /// For each coordinate how far it goes down and up from a free configuration when it alone changes, and what touches at the two ends;
-    /// infinite where nothing stops it. With the gap that was taken.
+    /// For each coordinate how far it goes down and up from free configurations when it alone changes, infinite where nothing stops it, nan
+    /// where of many one is not free, as arrays n×2, and for each row the numbers of the pairs that touch at the two ends. With the gaps
+    /// that were taken, nan without, the pairs of features, and whether one was asked about.
     #[expect(clippy::type_complexity, reason = "Python makes records of it")]
-    fn _play(
+    fn _play<'py>(
         &self,
-        py: Python<'_>,
-        q: &Bound<'_, PyAny>,
+        py: Python<'py>,
+        q: &Bound<'py, PyAny>,
     ) -> PyResult<(
-        Vec<(&'static str, [f64; 2], [Vec<[String; 2]>; 2])>,
-        Option<f64>,
+        Vec<(
+            &'static str,
+            Bound<'py, PyArray2<f64>>,
+            Vec<[Vec<usize>; 2]>,
+        )>,
+        Bound<'py, PyArray1<f64>>,
+        ToldPairs,
+        bool,
     )> {
-        let at = one(q, &self.known(py)?.space, "q")?;
-        let (space, gap) = self.with_room(py, [at])?;
-        let found = work::run(py, move |_| {
-            let all: &[Coordinate] = match width(&space) {
-                2 => &[Coordinate::U, Coordinate::V],
-                _ => &[Coordinate::X, Coordinate::Y, Coordinate::Theta],
-            };
-            let of = |of: &Coordinate| {
-                let ends = free_range(&space, *of, at).map_err(|e| e.to_string())?;
-                let mut found = [f64::NEG_INFINITY, f64::INFINITY];
-                let mut features = [Vec::new(), Vec::new()];
-                for ((end, names), stop) in found.iter_mut().zip(&mut features).zip(ends) {
-                    if let Some((value, stop)) = stop {
-                        *end = value;
-                        names.extend(stop.features.into_iter().map(|p| texts(&space, p)));
-                    }
-                }
-                Ok((of.name(), found, features))
-            };
-            all.iter().map(of).collect()
-        })?;
-        Ok((found, gap))
+        let space = &self.known(py)?.space;
+        let asked = asked(q, space)?;
+        let is_one = matches!(asked, Asked::One(_));
+        let all = match asked {
+            Asked::One(at) => {
+                let (space, gap) = self.with_room(py, [at])?;
+                let found = work::run(py, move |_| ranges(&space, at).map_err(|e| e.to_string()))?;
+                vec![(Some(found), gap.unwrap_or(f64::NAN))]
+            }
+            Asked::Many(rows) => {
+                let answer = |space: &PairSpace, row: &[f64]| match ranges(space, coordinates(row))
+                {
+                    Err(Unmeasured::Blocked) => Ok(None),
+                    found => found.map(Some),
+                };
+                self.in_rooms(py, (rows.as_slice()?, width(space)), answer)?
+            }
+        };
+        let mut pairs = Pairs::of(&self.pair);
+        let mut of = |(k, of): (usize, &Coordinate)| {
+            let (mut ends, mut touching) = (Vec::new(), Vec::new());
+            for (found, _) in &all {
+                let (end, features) = match found {
+                    Some(found) => (found[k].0, found[k].1.clone()),
+                    None => ([f64::NAN; 2], Default::default()),
+                };
+                ends.push(end.to_vec());
+                touching.push(features.map(|all| pairs.numbers(all)));
+            }
+            Ok((of.name(), matrix(py, ends)?, touching))
+        };
+        let found: PyResult<Vec<_>> = names(space).iter().enumerate().map(&mut of).collect();
+        let gaps: Vec<f64> = all.iter().map(|(_, gap)| *gap).collect();
+        Ok((found?, gaps.into_pyarray(py), pairs.told(), is_one))
     }
 
     /// A path from `start` to `goal` through free space, or out where there is none, or that there is none: the answer, and the rows of the
@@ -486,6 +782,7 @@ impl Space {
             ..Wishes::default()
         };
         let about = about.map(|(x, y)| Vector::new(x, y));
+        let unit = self.pair.unit.clone();
         let planned = work::run(py, move |progress| {
             let begin = progress.seconds();
             let planner = match about {
@@ -507,7 +804,7 @@ impl Space {
                 outcome: plan.verdict,
                 content: plan,
             };
-            Planned::new(Answer::of_pairs(None, vec![pair]))
+            Planned::new(Answer::of_pairs(unit.as_deref(), vec![pair]))
         })?;
         planned.told(py)
     }
@@ -572,8 +869,10 @@ impl Space {
 
     /// The space as the JSON that the command saves and reads.
     fn to_json(&self, py: Python<'_>) -> PyResult<String> {
-        let space = Arc::clone(&self.known(py)?.space);
-        work::run(py, move |_| Ok(cspace_model::saved::pair_to_json(&space)))
+        let (space, unit) = (Arc::clone(&self.known(py)?.space), self.pair.unit.clone());
+        work::run(py, move |_| {
+            Ok(saved::with_labels(&space, None, unit.as_deref()))
+        })
     }
 
     fn __repr__(&self) -> String {

@@ -3,7 +3,7 @@
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{RecvTimeoutError, channel};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
 use cspace::space::Stage;
@@ -76,17 +76,80 @@ pub(crate) fn pool() -> PyResult<Arc<ThreadPool>> {
     Ok(pool)
 }
 
-/// Ends a computation at its next stage once the user wants no more of it.
-struct Ended {
-    ended: AtomicBool,
-    begin: Instant,
+/// The callable of Python that hears of long work: that of `cspace.progress`, if there is one.
+pub(crate) struct Listener(Option<Py<PyAny>>);
+
+impl Listener {
+    pub(crate) fn of(py: Python<'_>) -> PyResult<Self> {
+        let found = py.import("cspace._progress")?.getattr("heard")?.call0()?;
+        Ok(Self((!found.is_none()).then(|| found.unbind())))
+    }
+
+    /// Tells what is at work, after so many seconds, and which share of it is done where that is known.
+    pub(crate) fn tell(
+        &self,
+        py: Python<'_>,
+        (stage, seconds, share): (&str, f64, Option<f64>),
+    ) -> PyResult<()> {
+        match &self.0 {
+            Some(heard) => heard.call1(py, (stage, seconds, share)).map(drop),
+            None => Ok(()),
+        }
+    }
 }
 
-impl Progress for Ended {
-    fn stage(&self, _: Stage) -> Result<(), ComputeError> {
+/// News of work that its asker has not heard yet.
+#[derive(Default)]
+struct Told {
+    stages: Vec<(Stage, f64)>,
+    pieces: Option<(f64, f64)>,
+}
+
+/// Ends a computation at its next stage once the user wants no more of it, and keeps what it tells.
+struct Watched {
+    ended: AtomicBool,
+    begin: Instant,
+    told: Option<Mutex<Told>>,
+}
+
+impl Watched {
+    fn told(&self) -> Option<MutexGuard<'_, Told>> {
+        let told = self.told.as_ref()?;
+        Some(told.lock().unwrap_or_else(PoisonError::into_inner))
+    }
+
+    /// Hands on what has been told.
+    fn hand_on(&self, py: Python<'_>, listener: &Listener) -> PyResult<()> {
+        let Some(told) = self.told().map(|mut told| core::mem::take(&mut *told)) else {
+            return Ok(());
+        };
+        for (stage, seconds) in told.stages {
+            let name = serde_json::to_value(stage).map_err(error)?;
+            listener.tell(py, (name.as_str().unwrap_or_default(), seconds, None))?;
+        }
+        match told.pieces {
+            Some((share, seconds)) => listener.tell(py, ("pieces", seconds, Some(share))),
+            None => Ok(()),
+        }
+    }
+}
+
+impl Progress for Watched {
+    fn stage(&self, stage: Stage) -> Result<(), ComputeError> {
+        let seconds = self.seconds();
+        if let Some(mut told) = self.told() {
+            told.stages.push((stage, seconds));
+        }
         match self.ended.load(Ordering::Relaxed) {
             true => Err(ComputeError::Interrupted),
             false => Ok(()),
+        }
+    }
+
+    fn pieces(&self, done: u64, of: u64) {
+        let seconds = self.seconds();
+        if let Some(mut told) = self.told() {
+            told.pieces = Some((done as f64 / of as f64, seconds));
         }
     }
 
@@ -95,19 +158,22 @@ impl Progress for Ended {
     }
 }
 
-/// Does long work on the pool. Ctrl-C raises `KeyboardInterrupt` at once; what is at work then ends at its next stage.
+/// Does long work on the pool, of which the listener hears. Ctrl-C raises `KeyboardInterrupt` at once, as does an error of the listener;
+/// what is at work then ends at its next stage.
 pub(crate) fn run<T: Send + 'static>(
     py: Python<'_>,
     work: impl FnOnce(&dyn Progress) -> Result<T, String> + Send + 'static,
 ) -> PyResult<T> {
-    let ended = Arc::new(Ended {
+    let listener = Listener::of(py)?;
+    let watched = Arc::new(Watched {
         ended: AtomicBool::new(false),
         begin: Instant::now(),
+        told: listener.0.is_some().then(Mutex::default),
     });
     let (sender, receiver) = channel();
-    let watched = Arc::clone(&ended);
+    let watching = Arc::clone(&watched);
     pool()?.spawn(move || {
-        let done = catch_unwind(AssertUnwindSafe(|| work(&*watched)));
+        let done = catch_unwind(AssertUnwindSafe(|| work(&*watching)));
         // Nobody listens any more after Ctrl-C.
         let _ = sender.send(done);
     });
@@ -118,16 +184,16 @@ pub(crate) fn run<T: Send + 'static>(
             let heard = receiver.recv_timeout(LISTEN);
             (receiver, heard)
         });
+        let told = (watched.hand_on(py, &listener)).and_then(|()| py.check_signals());
+        if let Err(interrupt) = told {
+            watched.ended.store(true, Ordering::Relaxed);
+            return Err(interrupt);
+        }
         match heard {
             Ok(Ok(done)) => return done.map_err(error),
             Ok(Err(panic)) => return Err(internal(said(&*panic))),
             Err(RecvTimeoutError::Disconnected) => return Err(internal("the work was lost")),
-            Err(RecvTimeoutError::Timeout) => {
-                if let Err(interrupt) = py.check_signals() {
-                    ended.ended.store(true, Ordering::Relaxed);
-                    return Err(interrupt);
-                }
-            }
+            Err(RecvTimeoutError::Timeout) => {}
         }
     }
 }

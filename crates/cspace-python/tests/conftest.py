@@ -14,6 +14,10 @@ ROOT = pathlib.Path(__file__).parents[3]
 PEG = re.search(r"```toml peg.toml\n(.*?)```", (ROOT / "docs/design.md").read_text(encoding="utf-8"), re.DOTALL)[1]
 
 
+# The model that docstrings are about: that of the cam in docs/python.md, with a tolerance, limits and a drive.
+CAM = re.search(r'Model.loads\("""\n(.*?)"""\)', (ROOT / "docs/python.md").read_text(encoding="utf-8"), re.DOTALL)[1]
+
+
 @pytest.fixture
 def peg():
     return cs.Model.loads(PEG)

@@ -27,20 +27,20 @@ def test_contact_functions_on_arrays():
     rng = np.random.default_rng(1)
     q = rng.uniform(-3, 13, (50, 3))
     for number in range(0, len(space.patches), 7):
-        found = space.contact(number, q)
+        found = space.contact_function(number, q)
         assert found.value.shape == (50,) and found.hessian.shape == (50, 3, 3)
         h = 1e-6
         for k in range(3):
             up, down = q.copy(), q.copy()
             up[:, k] += h
             down[:, k] -= h
-            slope = (space.contact(number, up).value - space.contact(number, down).value) / (2 * h)
+            slope = (space.contact_function(number, up).value - space.contact_function(number, down).value) / (2 * h)
             assert np.allclose(slope, found.gradient[:, k], atol=1e-7)
-        one = space.contact(number, q[3])
+        one = space.contact_function(number, q[3])
         assert one.value == found.value[3] and np.array_equal(one.gradient, found.gradient[3])
         assert np.allclose(np.hypot(*found.normal.T), 1)
     with pytest.raises(cs.Error, match="no patch 999"):
-        space.contact(999, q)
+        space.contact_function(999, q)
 
 
 def test_boundary_curves_are_in_contact():
@@ -48,9 +48,9 @@ def test_boundary_curves_are_in_contact():
     for number, patch in enumerate(space.patches):
         lo, hi = patch.orientations
         thetas = np.linspace(lo, hi, 7)[1:-1]
-        for ends in space.ends(number, thetas):
+        for ends in space.patch_ends(number, thetas):
             q = np.column_stack([ends, thetas])
-            assert np.abs(space.contact(number, q).value).max() < 1e-9
+            assert np.abs(space.contact_function(number, q).value).max() < 1e-9
             assert (space.classify(q) == cs.CONTACT).all()
 
 
@@ -61,9 +61,9 @@ def test_what_a_space_tells():
     bands = cs.compute(BOX, BOX).bands
     assert all(lo < hi for lo, hi in bands) and sum(hi - lo for lo, hi in bands) == pytest.approx(2 * math.pi)
     assert space.connected([(-3, 0, 0), (5, 5, 0)], (20, 0, 1)).tolist() == [True, False]
-    near = space.project((-3, 5, 0), 1.0)
+    near = space.nearest((-3, 5, 0), 1.0)
     assert near.at[:2] == pytest.approx((-1, 5)) and near.distance == pytest.approx(2)
-    assert space.project((-3, 5, 0), 1.0, near.patch).distance == pytest.approx(2)
+    assert space.nearest((-3, 5, 0), 1.0, near.patch).distance == pytest.approx(2)
     through = space.crossings((-5, 5, 0.3), (20, 0, 0))
     assert [(c.enters, round(c.at[0], 9)) for c in through] == [(True, -1), (False, 11)]
 
@@ -108,17 +108,17 @@ def product(a, b, seed):
 
 
 def test_samples_are_the_same_everywhere():
-    given = {"a": cs.normal(1, 0.1), "b": cs.uniform(2, 3)}
+    given = {"a": cs.distributions.normal(1, 0.1), "b": cs.distributions.uniform(2, 3)}
     here = cs.monte_carlo(product, 200, seed=5, **given)
     with concurrent.futures.ProcessPoolExecutor(2, mp_context=multiprocessing.get_context("spawn")) as executor:
         there = cs.monte_carlo(product, 200, seed=5, map=executor.map, **given)
     assert all(np.array_equal(here[key], there[key]) for key in here) and len(set(here["low"])) > 150
     assert here["product"].mean() == pytest.approx(2.5, abs=0.1)
     # A name has its own numbers, whatever others there are.
-    alone = cs.monte_carlo(lambda a: a, 200, seed=5, a=cs.normal(1, 0.1))
+    alone = cs.monte_carlo(lambda a: a, 200, seed=5, a=cs.distributions.normal(1, 0.1))
     assert np.array_equal(alone["a"], here["a"]) and not np.array_equal(here["a"], here["b"])
-    assert not np.array_equal(cs.monte_carlo(lambda a: a, 200, seed=6, a=cs.normal(1, 0.1))["a"], here["a"])
-    for wrong in (lambda: cs.normal(0, -1), lambda: cs.uniform(1, 0), lambda: cs.triangular(0, 3, 2)):
+    assert not np.array_equal(cs.monte_carlo(lambda a: a, 200, seed=6, a=cs.distributions.normal(1, 0.1))["a"], here["a"])
+    for wrong in (lambda: cs.distributions.normal(0, -1), lambda: cs.distributions.uniform(1, 0), lambda: cs.distributions.triangular(0, 3, 2)):
         with pytest.raises(cs.Error):
             wrong()
 

@@ -76,10 +76,10 @@ def test_parts_that_are_placed():
 
 
 def test_separation():
-    assert cs.least_separation(SQUARE, SQUARE, (1.5, 0.1, 0)) == pytest.approx((0.5, 0), abs=1e-12)
-    assert cs.least_separation(SQUARE, SQUARE, (2, 0, 0)) == (0, 0)
-    assert cs.least_separation(SQUARE, SQUARE, (5, 0, 1)) == (0, 0)
-    dx, dy = cs.least_separation(cs.Part.circle(3), cs.Part.circle(2), (1, 1, 0.5))
+    assert cs.separation(SQUARE, SQUARE, (1.5, 0.1, 0)) == pytest.approx((0.5, 0), abs=1e-12)
+    assert cs.separation(SQUARE, SQUARE, (2, 0, 0)) == (0, 0)
+    assert cs.separation(SQUARE, SQUARE, (5, 0, 1)) == (0, 0)
+    dx, dy = cs.separation(cs.Part.circle(3), cs.Part.circle(2), (1, 1, 0.5))
     assert (dx, dy) == pytest.approx((5 / math.sqrt(2) - 1,) * 2)
 
 
@@ -93,7 +93,7 @@ def test_what_is_refused():
         lambda: cs.nfp(SQUARE, SQUARE, "a"),
         lambda: cs.nfp(SQUARE, SQUARE, spacing=-1),
         lambda: cs.inner_fit(SQUARE, SQUARE, spacing=math.inf),
-        lambda: cs.least_separation(SQUARE, SQUARE, (0, 0)),
+        lambda: cs.separation(SQUARE, SQUARE, (0, 0)),
     ):
         with pytest.raises(cs.Error):
             call()

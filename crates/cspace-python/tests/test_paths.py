@@ -59,8 +59,8 @@ def test_places_along_a_path(space):
 
 
 def test_records_with_arrays_are_compared_as_objects(space):
-    contact = space.contact(0, (-8, 0, 0))
-    assert contact == contact and len({contact, contact}) == 1 and contact != space.contact(0, (-8, 0, 0))
+    contact = space.contact_function(0, (-8, 0, 0))
+    assert contact == contact and len({contact, contact}) == 1 and contact != space.contact_function(0, (-8, 0, 0))
 
 
 def test_a_model_and_a_space_plan_alike(space):
@@ -171,7 +171,7 @@ def test_an_exact_fit_has_a_way_with_a_gap():
     assert space.classify((0, 0, 0)) == cs.BLOCKED
     plan, play = space.plan((0, 0, 0)), space.play((0, 0, 0))
     assert plan and 0 < plan.gap < 1e-4 and 0 < play["x"].length < 4 * plan.gap and play["x"].gap == plan.gap
-    assert space.move((0, 0, 0), (0, 20, 0)).result == "free" and space.plan((9, 9, 0), (30, 0, 0)).gap is None
+    assert space.move((0, 0, 0), (0, 20, 0)).outcome == "free" and space.plan((9, 9, 0), (30, 0, 0)).gap is None
 
 
 def test_functions_without_a_name_are_sent_or_refused():

@@ -15,7 +15,7 @@ from conftest import ROOT
 ANSWERS = {
     # The space.
     "PairSpace.compute": "compute",
-    "PairSpace.compute_with": "none: Ctrl-C ends a computation, and a notebook has no use for its stages",
+    "PairSpace.compute_with": "progress",
     "PairSpace.compute_each": "sweep",
     "PairSpace.class": "ContactSpace.pair_class",
     "PairSpace.fixed": "ContactSpace.fixed",
@@ -39,7 +39,7 @@ ANSWERS = {
     "PairPatch.features": "Patch.fixed",
     "PairPatch.region": "Patch.region",
     "PairPatch.orientations": "Patch.orientations",
-    "PairPatch.ends_at": "ContactSpace.ends",
+    "PairPatch.ends_at": "ContactSpace.patch_ends",
     "PairPatch.neighbours": "ContactSpace.to_networkx",
     # Configurations.
     "PairSpace.classify": "ContactSpace.classify",
@@ -48,21 +48,21 @@ ANSWERS = {
     "PairSpace.clearance": "ContactSpace.clearance",
     "PairSpace.contacts": "ContactSpace.contacts",
     "PairSpace.is_on": "ContactSpace.contacts",
-    "PairSpace.near_features": "ContactSpace.near_features",
+    "PairSpace.near_features": "ContactSpace.features_within",
     "PairSpace.nearest_contact": "ContactSpace.nearest",
-    "PairSpace.project": "ContactSpace.project",
-    "PairSpace.nearest_patch": "ContactSpace.project",
+    "PairSpace.project": "ContactSpace.nearest",
+    "PairSpace.nearest_patch": "ContactSpace.nearest",
     # Motions.
     "PairSpace.first_contact": "ContactSpace.move",
-    "PairSpace.first_contact_about": "missing: first contacts of motions that take another point of the part than its origin straight",
+    "PairSpace.first_contact_about": "ContactSpace.move",
     "PairSpace.first_contact_along": "missing: the first contact along any curve that a function of Python gives, with bounds of its rates",
     "PairSpace.crossings": "ContactSpace.crossings",
     # Contact functions.
-    "PairPatch.contact": "ContactSpace.contact",
-    "PairSpace.contact_of": "ContactSpace.contact",
-    "FeatureContact.value": "ContactSpace.contact",
-    "FeatureContact.evaluate": "ContactSpace.contact",
-    "FeatureContact.touching": "ContactSpace.contact",
+    "PairPatch.contact": "ContactSpace.contact_function",
+    "PairSpace.contact_of": "ContactSpace.contact_function",
+    "FeatureContact.value": "ContactSpace.contact_function",
+    "FeatureContact.evaluate": "ContactSpace.contact_function",
+    "FeatureContact.touching": "ContactSpace.contact_function",
     "FeatureContact.by_drawing": "missing: the derivatives of the contact function by the vertices and bulges of the drawing",
 }
 

@@ -18,6 +18,13 @@ space: cs.ContactSpace = cs.compute(cs.Part.rectangle(4, 2), cs.Part.circle(1.0)
 length: float = space.slice(0.3).length + space.play((0, 5, 0))["y"].length
 verdict: str = space.plan([0, 5, 0], [0, -5, 0], widest=True).verdict
 loops: cs.Loops = space.fixed.outline.moved(1, 2, theta=0.5)
+apart: float = space.clearance((0, 5, 0)) + space.clearance([[0.0, 5.0, 0.0]]).max()
+found: cs.Class = space.classify((0, 5, 0))
+region: int | None = space.region([0.0, 5.0, 0.0])
+one: cs.Loops = cs.nfp(space.fixed, space.moving, 0.5)
+many: list[cs.Loops] = cs.inner_fit(space.fixed, space.moving, [0.0, 0.5])
+pair: cs.FeaturePair = space.features_within((0, 5, 0), 9.0)[0][0]
+number: int = pair.fixed.number
 """
 
 WRONG = """\

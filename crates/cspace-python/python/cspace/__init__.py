@@ -11,11 +11,21 @@ Configurations are (x, y, theta) of the moving part in the fixed part's frame, o
 in the unit of the drawing.
 """
 
+from . import _rust, answers, distributions
+from ._classes import Class
 from ._errors import Error, InternalError
+from ._features import Feature, FeaturePair
+from ._loops import Loops
+from ._model import Model
+from ._nest import inner_fit, nfp, separation
+from ._part import Part
+from ._progress import progress
+from ._record import Record
 from ._results import (
     Check,
-    Contact,
+    ContactFunction,
     Crossing,
+    Escape,
     Motion,
     Nearest,
     Patch,
@@ -26,27 +36,25 @@ from ._results import (
     Table,
     Tolerances,
 )
-from ._loops import Loops
-from ._model import Model
-from ._nest import inner_fit, least_separation, nfp
-from ._part import Part
-from ._record import Record
-from . import _rust, answers
 from ._rust import VERSION as __version__
 from ._space import ContactSpace, compute
-from ._sweep import monte_carlo, normal, sweep, triangular, uniform
+from ._sweep import monte_carlo, sweep
 
-FREE, BLOCKED, CONTACT = 0, 1, 2
+FREE, BLOCKED, CONTACT = Class
 
 __all__ = [
     "BLOCKED",
     "CONTACT",
     "Check",
-    "Contact",
+    "Class",
+    "ContactFunction",
     "ContactSpace",
     "Crossing",
     "Error",
+    "Escape",
     "FREE",
+    "Feature",
+    "FeaturePair",
     "InternalError",
     "Loops",
     "Model",
@@ -64,26 +72,22 @@ __all__ = [
     "__version__",
     "answers",
     "compute",
+    "distributions",
     "inner_fit",
-    "least_separation",
     "monte_carlo",
     "nfp",
-    "normal",
+    "progress",
+    "separation",
     "set_threads",
-    "simulate",
     "sweep",
-    "triangular",
-    "uniform",
 ]
 
 
 def set_threads(threads: int) -> None:
-    """Uses so many threads from now on, at most 1024; 0 for one per processor. Results do not depend on it."""
+    """Uses so many threads from now on, at most 1024; 0 for one per processor. Results do not depend on it.
+
+    >>> cs.set_threads(2)
+    """
     if not (isinstance(threads, int) and 0 <= threads <= 1024):
         raise Error(f"`threads` is {threads!r} where a whole number from 0 to 1024 is expected")
     _rust.set_threads(threads)
-
-
-def simulate(model: Model, time: float, every: float | None = None) -> Simulation:
-    """The motion of a model's mechanism over `time` seconds: see `Model.simulate`."""
-    return model.simulate(time, every)

@@ -38,14 +38,14 @@ def rows(q: Any, width: int, names: str) -> tuple[NDArray[np.float64], bool]:
     return array, single
 
 
-def window(theta: Sequence[float] | None) -> tuple[float, float] | None:
+def ends(window: Sequence[float] | None) -> tuple[float, float] | None:
     """A window of orientations: two numbers, or None."""
-    if theta is None:
+    if window is None:
         return None
     try:
-        lo, hi = (float(x) for x in theta)
+        lo, hi = (float(x) for x in window)
     except (TypeError, ValueError):
-        raise Error(f"`theta` is {theta!r}: give two orientations (lo, hi) in radians") from None
+        raise Error(f"`window` is {window!r}: give two orientations (lo, hi) in radians") from None
     return lo, hi
 
 

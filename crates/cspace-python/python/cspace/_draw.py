@@ -1,12 +1,16 @@
 """Loops as pictures: SVG, and patches of matplotlib."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import Any
 
 from . import _arcs
 from ._optional import optional
 
 FILL, LINE = "#cdd9e5", "#24466b"
+# The moving part, and the side of a slice on which the parts overlap.
+MOVING, BLOCKED = "#f3d9a8", "#ebe5df"
+
+Loops = Sequence[list[tuple[float, float, float]]]
 
 # Shares of the size of what is drawn.
 _MARGIN, _STROKE, _DOT = 0.05, 0.005, 0.01
@@ -29,26 +33,27 @@ def _svg_path(loop: Any) -> str:
     return "".join(data) + "Z"
 
 
-def svg(loops: Sequence[list[tuple[float, float, float]]], bounds: tuple[float, float, float, float]) -> str:
-    """Loops as an SVG document that shows their bounds (x, y, x, y): points as dots, slits as lines."""
+def svg(drawn: Iterable[tuple[Loops, str]], bounds: tuple[float, float, float, float]) -> str:
+    """Loops, filled with a colour, as an SVG document that shows the bounds (x, y, x, y): points as dots, slits as lines."""
     x0, y0, x1, y1 = bounds
     size = max(x1 - x0, y1 - y0) or 1.0
     margin = _MARGIN * size
     box = f"{x0 - margin:.6g} {0.0 - y1 - margin:.6g} {x1 - x0 + 2 * margin:.6g} {y1 - y0 + 2 * margin:.6g}"
-    path = "".join(_svg_path(loop) for loop in loops if not _is_point(loop))
-    dots = "".join(
-        f'<circle cx="{loop[0][0]:.9g}" cy="{0.0 - loop[0][1]:.9g}" r="{_DOT * size:.3g}" fill="{LINE}"/>'
-        for loop in loops
-        if _is_point(loop)
-    )
-    return (
-        f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="{box}" width="300">'
-        f'<path d="{path}" fill="{FILL}" stroke="{LINE}" fill-rule="evenodd" '
-        f'stroke-width="{_STROKE * size:.3g}"/>{dots}</svg>'
-    )
+    shapes = ""
+    for loops, fill in drawn:
+        path = "".join(_svg_path(loop) for loop in loops if not _is_point(loop))
+        dots = "".join(
+            f'<circle cx="{loop[0][0]:.9g}" cy="{0.0 - loop[0][1]:.9g}" r="{_DOT * size:.3g}" fill="{LINE}"/>'
+            for loop in loops
+            if _is_point(loop)
+        )
+        shapes += (
+            f'<path d="{path}" fill="{fill}" stroke="{LINE}" stroke-width="{_STROKE * size:.3g}"/>{dots}'
+        )
+    return f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="{box}" width="300">{shapes}</svg>'
 
 
-def bezier_path(loops: Sequence[list[tuple[float, float, float]]]) -> Any:
+def bezier_path(loops: Loops) -> Any:
     """Loops as a path of matplotlib: lines, and arcs as cubic Béziers."""
     path = optional("matplotlib.path").Path
     places: list[complex] = []
@@ -70,7 +75,7 @@ def bezier_path(loops: Sequence[list[tuple[float, float, float]]]) -> Any:
     return path([(p.real, p.imag) for p in places], codes)
 
 
-def plot(loops: Sequence[list[tuple[float, float, float]]], ax: Any, style: dict[str, Any]) -> Any:
+def plot(loops: Loops, ax: Any, style: dict[str, Any]) -> Any:
     """Draws loops on axes, or on the current ones; points as dots, slits as lines."""
     patch = optional("matplotlib.patches").PathPatch
     style = optional("matplotlib.cbook").normalize_kwargs(style, patch)

@@ -20,7 +20,7 @@ class Loops(Sequence[list[tuple[float, float, float]]]):
     is blocked, or material, is on the left. A loop of one vertex is a point, and a loop of two with bulge 0 a slit, which is travelled
     there and back.
 
-    >>> Loops([[(-1, 0, 1), (1, 0, 1)], [(5, 5, 0)]])
+    >>> cs.Loops([[(-1, 0, 1), (1, 0, 1)], [(5, 5, 0)]])
     Loops(2 loops, 3 vertices)
     """
 
@@ -49,7 +49,11 @@ class Loops(Sequence[list[tuple[float, float, float]]]):
     __hash__ = None  # type: ignore[assignment]
 
     def tolist(self) -> list[list[tuple[float, float, float]]]:
-        """The loops as a list of lists of vertices."""
+        """The loops as a list of lists of vertices.
+
+        >>> cs.Loops([[(0, 0, 0)]]).tolist()
+        [[(0.0, 0.0, 0.0)]]
+        """
         return [list(loop) for loop in self._loops]
 
     def _edges(self) -> Iterator[tuple[complex, complex, float]]:
@@ -57,17 +61,29 @@ class Loops(Sequence[list[tuple[float, float, float]]]):
             yield from _edges(loop)
 
     def winding(self, x: float, y: float) -> int:
-        """How often the loops go around a point that is on none of them, counter-clockwise."""
+        """How often the loops go around a point that is on none of them, counter-clockwise.
+
+        >>> cs.Part.circle(2).outline.winding(1, 1)
+        1
+        """
         eye = complex(x, y)
         return round(math.fsum(_arcs.seen(*edge, eye) for edge in self._edges()) / (2 * math.pi))
 
     def distance(self, x: float, y: float) -> float:
-        """The distance of a point from the nearest edge; infinite without loops."""
+        """The distance of a point from the nearest edge; infinite without loops.
+
+        >>> cs.Part.circle(2).outline.distance(5, 0)
+        3.0
+        """
         eye = complex(number("x", x), number("y", y))
         return min((_arcs.distance(*edge, eye) for edge in self._edges()), default=math.inf)
 
     def blocks(self, x: float, y: float, tolerance: float = 0.0) -> bool:
-        """Whether a position is on the blocked side, farther than `tolerance` from the boundary."""
+        """Whether a position is on the blocked side, farther than `tolerance` from the boundary.
+
+        >>> cs.nfp(cs.Part.circle(2), cs.Part.circle(1)).blocks(2.9, 0)
+        True
+        """
         if self.distance(x, y) <= number("tolerance", tolerance, 0.0):
             return False
         around = self.winding(x, y)
@@ -75,7 +91,11 @@ class Loops(Sequence[list[tuple[float, float, float]]]):
 
     @property
     def area(self) -> float:
-        """The area on the left, exactly: loops that run clockwise count negative."""
+        """The area on the left, exactly: loops that run clockwise count negative.
+
+        >>> round(cs.Part.circle(2).outline.area, 6)
+        12.566371
+        """
         terms = []
         for loop in self:
             # As seen from a vertex, so that loops far from the origin lose nothing.
@@ -87,12 +107,20 @@ class Loops(Sequence[list[tuple[float, float, float]]]):
 
     @property
     def length(self) -> float:
-        """The length of all edges, along the arcs; of a slit twice its length."""
+        """The length of all edges, along the arcs; of a slit twice its length.
+
+        >>> cs.Part.rectangle(4, 2).outline.length
+        12.0
+        """
         return math.fsum(_arcs.length(*edge) for edge in self._edges())
 
     @property
     def bounds(self) -> tuple[float, float, float, float]:
-        """The smallest x and y and the largest, of the arcs too: (x, y, x, y)."""
+        """The smallest x and y and the largest, of the arcs too: (x, y, x, y).
+
+        >>> cs.Part.rectangle(4, 2).outline.bounds
+        (-2.0, -1.0, 2.0, 1.0)
+        """
         points = [point for edge in self._edges() for point in (edge[0], *_arcs.axis_points(*edge))]
         if not points:
             raise Error("there are no loops, which have bounds")
@@ -100,7 +128,11 @@ class Loops(Sequence[list[tuple[float, float, float]]]):
         return min(x), min(y), max(x), max(y)
 
     def points(self, tolerance: float) -> list[list[tuple[float, float]]]:
-        """The loops in points that are on them, with chords no farther than `tolerance` from their arcs."""
+        """The loops in points that are on them, with chords no farther than `tolerance` from their arcs.
+
+        >>> [len(loop) for loop in cs.Part.circle(2).outline.points(0.01)]
+        [32]
+        """
         if not 0 < number("tolerance", tolerance) < math.inf:
             raise Error(f"`tolerance` is {tolerance!r}: give a positive length")
         return [
@@ -108,7 +140,11 @@ class Loops(Sequence[list[tuple[float, float, float]]]):
         ]
 
     def moved(self, x: float, y: float, theta: float = 0.0) -> "Loops":
-        """The loops turned about the origin by `theta`, and then moved by x and y: those of a part in a configuration."""
+        """The loops turned about the origin by `theta`, and then moved by x and y: those of a part in a configuration.
+
+        >>> cs.Part.rectangle(4, 2).outline.moved(1, 0).bounds
+        (-1.0, -1.0, 3.0, 1.0)
+        """
         turned, by = cmath.rect(1, angle("theta", theta)), complex(number("x", x), number("y", y))
         places = [[(by + turned * complex(*v[:2]), v[2]) for v in loop] for loop in self]
         moved = Loops([(p.real, p.imag, bulge) for p, bulge in loop] for loop in places)
@@ -119,16 +155,19 @@ class Loops(Sequence[list[tuple[float, float, float]]]):
         """Draws the loops with matplotlib, arcs as arcs, on axes `ax` or on the current ones, which are returned.
 
         `style` is that of a patch of matplotlib, such as facecolor, edgecolor or alpha.
+
+        >>> ax = space.slice(0).plot(facecolor="white")
         """
         return _draw.plot(self, ax, style)
 
     def _repr_svg_(self) -> str:
-        return _draw.svg(self, self.bounds if self else (0.0, 0.0, 0.0, 0.0))
+        return _draw.svg([(self, _draw.FILL)], self.bounds if self else (0.0, 0.0, 0.0, 0.0))
 
     def __repr__(self) -> str:
         vertices = sum(map(len, self))
         plural = "s" if len(self) != 1 else "", "vertex" if vertices == 1 else "vertices"
-        return f"Loops({len(self)} loop{plural[0]}, {vertices} {plural[1]})"
+        doubt = ", doubtful" if self.doubtful else ""
+        return f"Loops({len(self)} loop{plural[0]}, {vertices} {plural[1]}{doubt})"
 
 
 def outline(loops: Loops) -> Loops:

@@ -1,10 +1,10 @@
 """Where a part can be placed at given orientations: beside others, or within one, exact fits among the positions."""
 
 from collections.abc import Sequence
-from typing import Any
+from typing import Any, overload
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from . import _arrays, _rust
 from ._arrays import number
@@ -58,9 +58,14 @@ def _answers(found: list[tuple[Any, bool]], single: bool, within: bool) -> Any:
     return answers[0] if single else answers
 
 
-def nfp(
-    fixed: Part | Sequence[tuple[Part, Sequence[float]]], moving: Part, theta: ArrayLike = 0.0, spacing: float = 0.0
-) -> Any:
+Placed = Part | Sequence[tuple[Part, Sequence[float]]]
+
+
+@overload
+def nfp(fixed: Placed, moving: Part, theta: float = 0.0, spacing: float = 0.0) -> Loops: ...
+@overload
+def nfp(fixed: Placed, moving: Part, theta: Sequence[float] | NDArray[Any], spacing: float = 0.0) -> list[Loops]: ...
+def nfp(fixed: Placed, moving: Part, theta: ArrayLike = 0.0, spacing: float = 0.0) -> Loops | list[Loops]:
     """The no-fit region: the boundary of the positions (x, y) at which `moving`, turned by `theta`, overlaps `fixed`.
 
     `fixed` is a part, or a list of placed parts [(part, (x, y, theta)), ...], which may touch each other. Beside the boundary, with the
@@ -68,10 +73,10 @@ def nfp(
     `spacing` the parts stay so far apart. One orientation gives `Loops`, an array of them a list. `loops.doubtful` says whether curves may
     be missing.
 
-    >>> square = Part.rectangle(2, 2, name="square")
-    >>> nfp(square, square)
+    >>> square = cs.Part.rectangle(2, 2, name="square")
+    >>> cs.nfp(square, square)
     Loops(1 loop, 4 vertices)
-    >>> nfp(square, square).area
+    >>> cs.nfp(square, square).area
     16.0
     """
     thetas, single = _orientations(theta)
@@ -79,14 +84,18 @@ def nfp(
     return _answers(_rust._beside(_placed(fixed), grown._part, thetas), single, False)
 
 
-def inner_fit(container: Part, part: Part, theta: ArrayLike = 0.0, spacing: float = 0.0) -> Any:
+@overload
+def inner_fit(container: Part, part: Part, theta: float = 0.0, spacing: float = 0.0) -> Loops: ...
+@overload
+def inner_fit(container: Part, part: Part, theta: Sequence[float] | NDArray[Any], spacing: float = 0.0) -> list[Loops]: ...
+def inner_fit(container: Part, part: Part, theta: ArrayLike = 0.0, spacing: float = 0.0) -> Loops | list[Loops]:
     """The inner-fit region: the boundary of the positions (x, y) at which `part`, turned by `theta`, lies within `container` and outside
     of its holes; without loops it fits nowhere.
 
     Loops run around free positions clockwise, so that what is blocked is on their left; a part that fits exactly has a loop of one
     vertex. `theta`, `spacing` and what is returned are as of `nfp`.
 
-    >>> inner_fit(Part.circle(200), Part.circle(200))
+    >>> cs.inner_fit(cs.Part.circle(200), cs.Part.circle(200))
     Loops(1 loop, 1 vertex)
     """
     thetas, single = _orientations(theta)
@@ -94,8 +103,12 @@ def inner_fit(container: Part, part: Part, theta: ArrayLike = 0.0, spacing: floa
     return _answers(_rust._within(_part("container", container)._part, grown._part, thetas), single, True)
 
 
-def least_separation(a: Part, b: Part, configuration: Sequence[float]) -> tuple[float, float]:
-    """The shortest translation (dx, dy) of `b` from a configuration (x, y, theta) to a position beside `a` without overlap; zero where
-    they do not overlap."""
-    at = _arrays.configuration("configuration", configuration)
-    return _rust._separation(_part("a", a)._part, _part("b", b)._part, at)
+def separation(fixed: Part, moving: Part, q: Sequence[float]) -> tuple[float, float]:
+    """The shortest translation (dx, dy) of `moving` from the configuration `q` (x, y, theta) to a position beside `fixed` without overlap;
+    zero where they do not overlap.
+
+    >>> [round(d, 9) for d in cs.separation(cs.Part.rectangle(4, 2), cs.Part.circle(1), (0, 1.5, 0))]
+    [0.0, 0.5]
+    """
+    at = _arrays.configuration("q", q)
+    return _rust._separation(_part("fixed", fixed)._part, _part("moving", moving)._part, at)

@@ -10,34 +10,27 @@ from numpy.typing import ArrayLike
 from . import _rust
 from ._arrays import number, position
 from ._errors import Error
+from ._features import Feature
 from ._loops import Loops, outline
 from ._optional import optional
+from ._record import plain
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 
-def _plain(value: Any) -> Any:
-    """A value as JSON has it: arrays as lists."""
-    if hasattr(value, "tolist"):
-        return value.tolist()
-    if isinstance(value, dict):
-        return {key: _plain(item) for key, item in value.items()}
-    if isinstance(value, (list, tuple)):
-        return [_plain(item) for item in value]
-    return value
-
-
 def _read(name: str, unit: str | None = None, **keys: Any) -> _rust.Part:
     """The part of a model that has these keys."""
-    keys = {key: _plain(value) for key, value in keys.items() if value is not None}
+    keys = {key: plain(value) for key, value in keys.items() if value is not None}
     model: dict[str, Any] = {"part": [{"name": name, **keys}]}
     if unit is not None:
         model["unit"] = unit
     try:
         text = json.dumps(model, allow_nan=False)
-    except (TypeError, ValueError) as error:
-        raise Error(f"the part {name!r} has something that is no finite number: {error}") from None
+    except ValueError:
+        raise Error(f"the part {name!r} has a number that is not finite") from None
+    except TypeError as error:
+        raise Error(f"the part {name!r} has something that is no number: {error}") from None
     return _rust.Part._from_json(text)
 
 
@@ -59,7 +52,7 @@ class Part:
     the left, 0 of a line. Holes are loops within others, in any direction. `z` are the lowest and the highest place of the part, which is at every
     height without it; `Part.stack` makes one part of several at different heights.
 
-    >>> plate = Part([[(0, 0), (40, 0), (40, 20), (0, 20)], {"circle": 3, "at": [10, 10]}], name="plate")
+    >>> plate = cs.Part([[(0, 0), (40, 0), (40, 20), (0, 20)], {"circle": 3, "at": [10, 10]}], name="plate")
     >>> round(plate.area, 3)
     771.726
     """
@@ -67,7 +60,7 @@ class Part:
     __slots__ = ("_part",)
 
     def __init__(self, loops: Any, name: str = "part", z: Sequence[float] | None = None) -> None:
-        loops = _plain(loops)
+        loops = plain(loops)
         if not isinstance(loops, list):
             raise Error("`loops` is no list of loops")
         if loops and isinstance(loops[0], list) and loops[0] and isinstance(loops[0][0], (int, float)):
@@ -84,39 +77,58 @@ class Part:
     def stack(cls, parts: Sequence["Part"], name: str = "stack") -> "Part":
         """One part that is made of others as its layers.
 
-        >>> wheel = Part([{"circle": 9, "at": [0, 0]}], z=(0, 4))
-        >>> pinion = Part([{"circle": 2, "at": [0, 0]}], z=(4, 10))
-        >>> [z for z, _ in Part.stack([wheel, pinion], name="arbor").layers]
+        >>> wheel = cs.Part([{"circle": 9, "at": [0, 0]}], z=(0, 4))
+        >>> pinion = cs.Part([{"circle": 2, "at": [0, 0]}], z=(4, 10))
+        >>> [z for z, _ in cs.Part.stack([wheel, pinion], name="arbor").layers]
         [(0.0, 4.0), (4.0, 10.0)]
         """
         return cls._of(_read(name, layers=[layer for part in parts for layer in part._stack()]))
 
     @classmethod
     def circle(cls, radius: float, center: Sequence[float] = (0.0, 0.0), name: str = "circle") -> "Part":
-        """A disc."""
+        """A disc.
+
+        >>> cs.Part.circle(2, center=(1, 0)).bounds
+        (-1.0, -2.0, 3.0, 2.0)
+        """
         return cls([{"circle": number("radius", radius), "at": position("center", center)}], name=name)
 
     @classmethod
     def rectangle(
         cls, width: float, height: float, center: Sequence[float] = (0.0, 0.0), name: str = "rectangle"
     ) -> "Part":
-        """A rectangle with sides along the axes."""
-        (x, y), a, b = position("center", center), number("width", width, 0.0) / 2, number("height", height, 0.0) / 2
+        """A rectangle with sides along the axes.
+
+        >>> cs.Part.rectangle(4, 2).area
+        8.0
+        """
+        for side, length in (("width", width), ("height", height)):
+            if not number(side, length) > 0:
+                raise Error(f"`{side}` is {length!r} where a length of more than 0 is expected")
+        (x, y), a, b = position("center", center), float(width) / 2, float(height) / 2
         return cls([[(x - a, y - b), (x + a, y - b), (x + a, y + b), (x - a, y + b)]], name=name)
 
     @classmethod
     def from_points(cls, points: ArrayLike, name: str = "part") -> "Part":
-        """A polygon: one loop of points, n×2; the first may be repeated at the end."""
-        plain = _plain(points)
-        if not isinstance(plain, list) or any(not isinstance(point, list) or len(point) != 2 for point in plain):
+        """A polygon: one loop of points, n×2; the first may be repeated at the end.
+
+        >>> cs.Part.from_points([(0, 0), (4, 0), (0, 3), (0, 0)]).area
+        6.0
+        """
+        given = plain(points)
+        if not isinstance(given, list) or any(not isinstance(point, list) or len(point) != 2 for point in given):
             raise Error("`points` are not n×2: with bulges, give Part([loop])")
-        if len(plain) > 1 and plain[0] == plain[-1]:
-            plain = plain[:-1]
-        return cls([plain], name=name)
+        if len(given) > 1 and given[0] == given[-1]:
+            given = given[:-1]
+        return cls([given], name=name)
 
     @classmethod
     def from_shapely(cls, polygon: Any, name: str = "part") -> "Part":
-        """A shapely Polygon or MultiPolygon, as it is: with straight sides."""
+        """A shapely Polygon or MultiPolygon, as it is: with straight sides.
+
+        >>> cs.Part.from_shapely(cs.Part.rectangle(4, 2).to_shapely(0.01)).area
+        8.0
+        """
         polygons = getattr(polygon, "geoms", [polygon])
         if not all(hasattr(p, "exterior") for p in polygons):
             raise Error(f"`polygon` is {polygon!r}: give a Polygon or a MultiPolygon")
@@ -137,6 +149,9 @@ class Part:
         """The outlines of a DXF drawing: of a `layer` or a list of them, with those of `hatches`, or the faces around the points `pick`.
 
         They are converted to `unit` where the drawing says its own, and multiplied by `scale`.
+
+        >>> cs.Part.from_dxf("plate.dxf", name="plate").name
+        'plate'
         """
         path = os.path.abspath(path)
         return cls._of(_read(name, unit, dxf=path, layer=layer, hatches=hatches, pick=pick, scale=scale))
@@ -151,12 +166,65 @@ class Part:
         pick: Any = None,
         scale: float | None = None,
     ) -> "Part":
-        """The outlines of an SVG drawing, or of its element `id`, or the faces around the points `pick`."""
+        """The outlines of an SVG drawing, or of its element `id`, or the faces around the points `pick`.
+
+        >>> cs.Part.from_svg("plate.svg", id="outline", scale=1).bounds
+        (1.0, -5.0, 5.0, -1.0)
+        """
         return cls._of(_read(name, unit, svg=os.path.abspath(path), id=id, pick=pick, scale=scale))
 
     def offset(self, distance: float) -> "Part":
-        """The part with its outline moved outward by a distance, or inward by a negative one: exactly, corners rounded by arcs."""
+        """The part with its outline moved outward by a distance, or inward by a negative one: exactly, corners rounded by arcs.
+
+        >>> cs.Part.rectangle(4, 2).offset(1).bounds
+        (-3.0, -2.0, 3.0, 2.0)
+        """
         return Part._of(_read(self.name, layers=self._stack(), offset=_distance(distance)))
+
+    def moved(self, x: float, y: float, theta: float = 0.0) -> "Part":
+        """The part turned about its origin by `theta`, radians, and then moved by x and y: as it is in the configuration (x, y, theta).
+
+        >>> cs.Part.rectangle(4, 2).moved(10, 0, np.pi / 2).bounds
+        (9.0, -2.0, 11.0, 2.0)
+        """
+        return self._redrawn(Loops(self.loops).moved(x, y, theta).tolist())
+
+    def mirrored(self, direction: Sequence[float], origin: Sequence[float] = (0.0, 0.0)) -> "Part":
+        """The mirror image of the part in the line through `origin` along `direction`: in the x axis (1, 0), in the y axis (0, 1).
+
+        >>> cs.Part.rectangle(4, 2, center=(5, 0)).mirrored((0, 1)).bounds
+        (-7.0, -1.0, -3.0, 1.0)
+        """
+        along, through = complex(*position("direction", direction)), complex(*position("origin", origin))
+        if along == 0:
+            raise Error("`direction` is (0, 0), which is no direction")
+        # The square of the unit direction, without a root, so that the diagonals are as exact as the axes.
+        unit = along / max(abs(along.real), abs(along.imag))
+        turn = unit * unit / (unit.real**2 + unit.imag**2)
+        images = [[(through + turn * (complex(x, y) - through).conjugate(), -bulge) for x, y, bulge in loop] for loop in self.loops]
+        return self._redrawn([[(image.real, image.imag, bulge) for image, bulge in loop] for loop in images])
+
+    def scaled(self, factor: float, origin: Sequence[float] = (0.0, 0.0)) -> "Part":
+        """The part as many times as large, seen from `origin`, which stays; its heights stay, too.
+
+        >>> cs.Part.circle(2).scaled(1.5).bounds
+        (-3.0, -3.0, 3.0, 3.0)
+        """
+        (u, v), factor = position("origin", origin), number("factor", factor)
+        if not factor > 0:
+            raise Error(f"`factor` is {factor!r} where a number of more than 0 is expected: `mirrored` makes the mirror image")
+        return self._redrawn([[(u + factor * (x - u), v + factor * (y - v), b) for x, y, b in loop] for loop in self.loops])
+
+    def _redrawn(self, loops: list[list[tuple[float, float, float]]]) -> "Part":
+        return Part._of(self._part._redrawn(loops))
+
+    def feature(self, name: str) -> Feature:
+        """A line, an arc or a vertex by the name that answers call it by: with its kind and its place in the drawing.
+
+        >>> cs.Part.circle(2).feature("convex arc 1 of loop 0").number
+        1
+        """
+        return Feature(*self._part._feature(name))
 
     def _stack(self) -> list[dict[str, Any]]:
         """The layers as in a model file."""
@@ -164,44 +232,89 @@ class Part:
 
     @property
     def name(self) -> str:
-        """The name."""
+        """The name.
+
+        >>> cs.Part.circle(2, name="coin").name
+        'coin'
+        """
         return self._part.name
 
     @property
     def loops(self) -> list[list[tuple[float, float, float]]]:
-        """The loops as lists of (x, y, bulge), in the directions in which they were given."""
+        """The loops as lists of (x, y, bulge), in the directions in which they were given.
+
+        >>> cs.Part.circle(2).loops
+        [[(-2.0, 0.0, 1.0), (2.0, 0.0, 1.0)]]
+        """
         return self._part.loops
 
     @property
     def layers(self) -> list[tuple[tuple[float, float] | None, list[list[tuple[float, float, float]]]]]:
-        """The layers: for each its heights (lowest, highest), or None at every height, and its loops."""
+        """The layers: for each its heights (lowest, highest), or None at every height, and its loops.
+
+        >>> cs.Part.circle(2).layers[0][0] is None
+        True
+        """
         return [(None if z is None else (z[0], z[1]), loops) for z, loops in self._part.layers]
 
     @property
     def outline(self) -> Loops:
-        """The loops with the material on the left: outer ones counter-clockwise, holes clockwise."""
-        return outline(Loops(self.loops))
+        """The loops with the material of their layer on the left: outer ones counter-clockwise, holes clockwise.
+
+        >>> cs.Part.rectangle(4, 2).outline
+        Loops(1 loop, 4 vertices)
+        """
+        return Loops([loop for _, loops in self.layers for loop in outline(Loops(loops))])
 
     @property
     def area(self) -> float:
-        """The area."""
+        """The area.
+
+        >>> cs.Part.rectangle(4, 2).area
+        8.0
+        """
         return self._part.area
 
     @property
+    def centroid(self) -> tuple[float, float]:
+        """The centroid (x, y) of the area.
+
+        >>> cs.Part.rectangle(4, 2, center=(5, 0)).centroid
+        (5.0, 0.0)
+        """
+        return self._part.centroid
+
+    @property
     def bounds(self) -> tuple[float, float, float, float]:
-        """The smallest x and y and the largest: (x, y, x, y)."""
+        """The smallest x and y and the largest: (x, y, x, y).
+
+        >>> cs.Part.rectangle(4, 2).bounds
+        (-2.0, -1.0, 2.0, 1.0)
+        """
         return self._part.bounds
 
     def contains(self, x: float, y: float) -> bool:
-        """Whether a point is in the part or on its outline."""
+        """Whether a point is in the part or on its outline.
+
+        >>> cs.Part.circle(2).contains(2, 0)
+        True
+        """
         return self._part.contains(x, y)
 
     def points(self, tolerance: float) -> list[list[tuple[float, float]]]:
-        """The loops in points that are on them, with chords no farther than `tolerance` from their arcs."""
+        """The loops in points that are on them, with chords no farther than `tolerance` from their arcs.
+
+        >>> len(cs.Part.circle(2).points(0.01)[0])
+        32
+        """
         return self._part._points(tolerance)
 
     def to_shapely(self, tolerance: float) -> Any:
-        """A shapely geometry, whose sides are no farther than `tolerance` from the arcs."""
+        """A shapely geometry, whose sides are no farther than `tolerance` from the arcs.
+
+        >>> round(cs.Part.circle(2).to_shapely(1e-6).area, 3)
+        12.566
+        """
         polygon = optional("shapely.geometry").Polygon
         points, whole = iter(self.points(tolerance)), None
         for _, loops in self.layers:
@@ -216,6 +329,8 @@ class Part:
         """Draws the part with matplotlib, arcs as arcs, on axes `ax` or on the current ones, which are returned.
 
         `style` is that of a patch of matplotlib, such as facecolor, edgecolor or alpha.
+
+        >>> ax = cs.Part.circle(2).plot(facecolor="gold")
         """
         return self.outline.plot(ax, **style)
 
@@ -226,10 +341,14 @@ class Part:
         return repr(self._part)
 
     def __eq__(self, other: object) -> bool:
-        return isinstance(other, Part) and (self.name, self.loops) == (other.name, other.loops)
+        return isinstance(other, Part) and self._part._sent() == other._part._sent()
 
     def __hash__(self) -> int:
-        return hash((self.name, tuple(map(tuple, self.loops))))
+        return hash(self._part._sent())
 
     def __reduce__(self) -> Any:
-        return Part, (self.loops, self.name)
+        return _received, (self._part._sent(),)
+
+
+def _received(sent: str) -> Part:
+    return Part._of(_rust.Part._received(sent))

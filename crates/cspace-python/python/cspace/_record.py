@@ -1,6 +1,8 @@
 """Answers as records."""
 
 import copy
+import dataclasses
+import math
 from collections.abc import Callable
 from typing import Any, ClassVar
 
@@ -8,11 +10,33 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ._errors import Error
+from ._optional import optional
+
+# The keys of answers that have rows, those first that tell most.
+_ROWS = ("requirements", "rows", "solutions", "samples", "modes", "pairs", "parts")
+
+
+class Fields:
+    """What a space answers: a record of named fields. Of many configurations each field has as many values."""
+
+    def to_dict(self) -> dict[str, Any]:
+        """The fields as dictionaries, lists, numbers and texts, for `json.dumps`; what is not finite is None.
+
+        >>> space.move((0, 6, 0), (0, 1, 0)).to_dict()
+        {'outcome': 'free', 'fraction': 1.0, 'at': [0.0, 7.0, 0.0], 'touching': [], 'gap': None}
+        """
+        names = (field.name for field in dataclasses.fields(self))  # type: ignore[arg-type]
+        return {name: _finite(plain(getattr(self, name))) for name in names}
 
 
 class Record(dict[str, Any]):
     """An answer: a dictionary with the keys of the command's JSON, which are attributes, too. What an answer may leave out is None as an
-    attribute. Configurations are arrays (x, y, theta) or (u, v), paths are arrays of them as rows."""
+    attribute. Configurations are arrays (x, y, theta) or (u, v), paths are arrays of them as rows. `units` tells the units.
+
+    >>> answer = model.clearance()
+    >>> answer.outcome, answer.units.length, answer["pairs"][0].outcome
+    ('touches', 'mm', 'touches')
+    """
 
     _read: ClassVar[dict[str, Callable[[Any], Any]]] = {}
 
@@ -33,7 +57,11 @@ class Record(dict[str, Any]):
         raise AttributeError(f"an answer is what it is: {type(self).__name__} takes no {name!r}")
 
     def copy(self) -> "Record":
-        """Another record with the same values."""
+        """Another record with the same values.
+
+        >>> model.info().copy() == model.info()
+        True
+        """
         return copy.copy(self)
 
     def __repr__(self) -> str:
@@ -45,9 +73,25 @@ class Record(dict[str, Any]):
     __hash__ = None  # type: ignore[assignment]
 
     def to_dict(self) -> dict[str, Any]:
-        """The command's JSON: dictionaries, lists, numbers and texts, for `json.dumps`."""
+        """The command's JSON: dictionaries, lists, numbers and texts, for `json.dumps`.
+
+        >>> model.info().to_dict()["units"]["length"]
+        'mm'
+        """
         read = self._read
         return {key: _coordinates(one) if read.get(key) is configuration else plain(one) for key, one in self.items()}
+
+    def to_dataframe(self, rows: str | None = None) -> Any:
+        """The rows of the answer as a pandas.DataFrame: what it has of each requirement, pair or part, or the list under the key `rows`.
+
+        >>> model.check().to_dataframe()[["name", "met"]].values.tolist()
+        [['backlash', True]]
+        """
+        lists = [key for key, value in self.items() if isinstance(value, list)]
+        found = next((key for key in ([rows] if rows else _ROWS) if key in lists), None)
+        if found is None:
+            raise Error(f"the answer has no rows{f' {rows!r}' if rows else ''}; its lists are: {', '.join(lists) or 'none'}")
+        return optional("pandas").json_normalize(plain(self[found]))
 
 
 class OfPair(Record):
@@ -88,14 +132,21 @@ def _each(read: Callable[[Any], Any], value: Any) -> Any:
 
 
 def plain(value: Any) -> Any:
-    """A value without records, tuples and arrays."""
+    """A value without records, tuples, arrays and loops."""
     if isinstance(value, Record):
         return value.to_dict()
     if isinstance(value, dict):
         return {key: plain(one) for key, one in value.items()}
     if isinstance(value, (list, tuple)):
         return [plain(one) for one in value]
-    return value.tolist() if isinstance(value, (np.ndarray, np.generic)) else value
+    return value.tolist() if hasattr(value, "tolist") else value
+
+
+def _finite(value: Any) -> Any:
+    """A plain value with None for numbers that are not finite, which JSON has no words for."""
+    if isinstance(value, list):
+        return [_finite(one) for one in value]
+    return None if isinstance(value, float) and not math.isfinite(value) else value
 
 
 def _coordinates(value: Any) -> Any:

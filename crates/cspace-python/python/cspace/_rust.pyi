@@ -6,23 +6,37 @@ from typing import Any
 class ContactSpace:
     """The configuration space of two parts: where the moving one is free, blocked or in contact."""
 
-    def _move(self, start: Any, by: Any, about: Any) -> Any:
-        """A motion of constant rates from `start` by the displacement `by`: what becomes of it, how much of it is done, where it ends, and
-        what touches there, and the gap that was taken."""
+    def _features_within(self, q: Any, within: Any) -> Any:
+        """The features that touch, or are no farther than `within` apart: pairs of features, and of each its number and the distance."""
 
-    def _nearest(self, q: Any) -> Any:
-        """The nearest configuration in contact: its patch, the configuration, and how far it is."""
+    @staticmethod
+    def _loaded(text: Any, file: Any) -> Any:
+        """The space in a text that was saved; `file` is its name in errors."""
+
+    def _move(self, start: Any, by: Any, about: Any) -> Any:
+        """Motions of constant rates from `start` by the displacements `by`, of which one may go with many: arrays of what becomes of them, how
+        much of it is done, where they end, and the gaps that were taken, nan without; pairs of features, and the numbers of those that touch
+        there. And whether one was asked about."""
+
+    def _nearest(self, q: Any, length_per_radian: Any, patch: Any) -> Any:
+        """The nearest configurations in contact, of a patch or of any, at the same orientation or with a radian that counts as a length:
+        arrays of the patches, -1 where there is none, of the configurations, and how far they are. And whether one was asked about."""
 
     def _patches(self) -> Any:
-        """The contact patches: features of the fixed and of the moving part, the region and the orientations they bound, if any."""
+        """The contact patches: pairs of features, and for each patch the number of its pair, the region and the orientations it bounds, if
+        any."""
 
     def _plan(self, start: Any, goal: Any = None, clearance: Any = None, about: Any = None, prefer: Any = 'legs') -> Any:
         """A path from `start` to `goal` through free space, or out where there is none, or that there is none: the answer, and the rows of the
         path. An infinite clearance asks for the widest path."""
 
     def _play(self, q: Any) -> Any:
-        """For each coordinate how far it goes down and up from a free configuration when it alone changes, and what touches at the two ends;
-        infinite where nothing stops it. With the gap that was taken."""
+        """For each coordinate how far it goes down and up from free configurations when it alone changes, infinite where nothing stops it, nan
+        where of many one is not free, as arrays n×2, and for each row the numbers of the pairs that touch at the two ends. With the gaps
+        that were taken, nan without, the pairs of features, and whether one was asked about."""
+
+    def _poses(self, q: Any) -> Any:
+        """Where the fixed and the moving part are at configurations: rows (x, y, theta) for each."""
 
     def _regions(self) -> Any:
         """The free regions: for each a free configuration, and whether it is caged, that is, ends everywhere."""
@@ -30,7 +44,7 @@ class ContactSpace:
     def _relation(self) -> Any: ...
 
     @staticmethod
-    def _restored(fixed: Any, moving: Any, relation: Any, window: Any) -> Any:
+    def _restored(fixed: Any, moving: Any, relation: Any, window: Any, unit: Any) -> Any:
         """The pair of a sent space, which computes it when it is first asked."""
 
     def classify(self, q: Any) -> Any:
@@ -41,7 +55,8 @@ class ContactSpace:
         """The smallest distance of the parts: 0 in contact, nan where they overlap."""
 
     def contacts(self, q: Any, tolerance: Any = None) -> Any:
-        """The patches no farther than `tolerance` from a configuration, with the distances."""
+        """The patches no farther than `tolerance` from configurations: of one their numbers and distances, of many arrays of the rows, the
+        numbers and the distances."""
 
     @property
     def fixed(self) -> Any:
@@ -57,9 +72,6 @@ class ContactSpace:
     @property
     def moving(self) -> Any:
         """The moving part."""
-
-    def near_features(self, q: Any, within: Any) -> Any:
-        """The features that touch, or are no farther than `within` apart: names on the fixed and the moving part, and their distance."""
 
     @property
     def pair_class(self) -> Any:
@@ -79,6 +91,10 @@ class ContactSpace:
         """The space as the JSON that the command saves and reads."""
 
     @property
+    def unit(self) -> Any:
+        """The label of the unit of length, if the model has one."""
+
+    @property
     def window(self) -> Any: ...
 
 
@@ -91,19 +107,25 @@ class Model:
     def _ask(self, kind: Any, arguments: Any) -> Any:
         """The answer to a question of this kind, as what the command prints as JSON."""
 
+    def _is_on_axis(self, part: Any) -> Any:
+        """The axis of a part, if it moves on one or not at all."""
+
     @staticmethod
     def _load(path: Any) -> Any:
         """The model in a file: .toml or .json."""
 
     @staticmethod
-    def _loads(text: Any, path: Any, set: Any) -> Any:
-        """The model in a text, TOML unless the extension of `path` is .json."""
+    def _loads(text: Any, path: Any, set: Any, of_values: Any) -> Any:
+        """The model in a text, TOML unless the extension of `path` is .json; errors in one that was written for values name no place in it."""
 
     def _plan(self, arguments: Any) -> Any:
         """The answer to the question for a path of a pair, and the rows of the path."""
 
+    def _poses(self, part: Any, coordinates: Any) -> Any:
+        """Where a part on an axis is for its coordinates: rows (x, y, theta)."""
+
     def _source(self) -> Any:
-        """The source of the model: the text, the path, and the values that are set."""
+        """The source of the model: the text, the path, the values that are set, and whether the text was written for values."""
 
     def compute(self, fixed: Any = None, moving: Any = None, theta: Any = None) -> Any:
         """The configuration space of two parts, by name; of the only pair without names. `theta` is a window of orientations."""
@@ -136,12 +158,25 @@ class Model:
 class Part:
     """A rigid part: closed loops of line segments and circular arcs."""
 
+    def _feature(self, name: Any) -> Any:
+        """A feature by its name: the name, the kind, and the numbers of its loop and in it."""
+
     @staticmethod
     def _from_json(text: Any) -> Any:
         """The part in a model's JSON, of which it is the only one."""
 
     def _points(self, tolerance: Any) -> Any:
         """The outline in points no farther than `tolerance` from it: for each loop a list of (x, y)."""
+
+    @staticmethod
+    def _received(text: Any) -> Any:
+        """The part that was sent."""
+
+    def _redrawn(self, loops: Any) -> Any:
+        """The part with its vertices elsewhere: as many loops of as many, whose features keep their names."""
+
+    def _sent(self) -> Any:
+        """The part as it is sent, with its heights and the names of its features."""
 
     @property
     def area(self) -> Any:
@@ -150,6 +185,10 @@ class Part:
     @property
     def bounds(self) -> Any:
         """The smallest and the largest x and y: (x, y, x, y)."""
+
+    @property
+    def centroid(self) -> Any:
+        """The centroid of the area: (x, y)."""
 
     def contains(self, x: Any, y: Any) -> Any:
         """Whether a point is in the part or on its outline."""
@@ -198,10 +237,6 @@ def _evaluate(space: Any, patch: Any, q: Any) -> Any:
 
 def _measures(space: Any) -> Any:
     """How many features the parts have, below which clearance there is none, and how near to a contact is in contact."""
-
-
-def _projected(space: Any, q: Any, length_per_radian: Any, patch: Any = None) -> Any:
-    """The nearest configuration of a patch, or of any, where a radian counts as a length: its patch, the configuration and the distance."""
 
 
 def _require_page() -> Any:

@@ -5,18 +5,18 @@ import importlib
 import inspect
 import os
 import pickle
+import sys
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ._arrays import named, number
 from ._arrays import table as _table
 from ._errors import Error
 from ._results import Table
+from .distributions import Distribution
 
 # Rows that are sent to a worker together.
 _TOGETHER = 64
@@ -29,18 +29,28 @@ def _function(sent: bytes) -> Callable[..., Any]:
     return function
 
 
+def _pickler() -> Any:
+    """Cloudpickle where it is installed, or comes with a package that is in use; else pickle. It sends functions without a name, and those of a
+    notebook or a program itself, which workers cannot import."""
+    for name in ("cloudpickle", "joblib.externals.cloudpickle", "ray.cloudpickle"):
+        package = name.partition(".")[0]
+        if package in ("cloudpickle", *sys.modules):
+            try:
+                return importlib.import_module(name)
+            except ImportError:
+                continue
+    return pickle
+
+
 def _sent(function: Callable[..., Any]) -> bytes:
-    """A function as workers receive it: one without a name by cloudpickle, where that is installed."""
+    """A function as workers receive it."""
     try:
-        return pickle.dumps(function)
+        sent: bytes = _pickler().dumps(function)
     except (AttributeError, TypeError, pickle.PicklingError) as error:
-        try:
-            sent: bytes = importlib.import_module("cloudpickle").dumps(function)
-            return sent
-        except ImportError:
-            raise Error(
-                f"`function` cannot be sent to workers ({error}): define it with a name in a module, or install cloudpickle"
-            ) from None
+        raise Error(
+            f"`function` cannot be sent to workers ({error}): define it with a name in a module, or install cloudpickle"
+        ) from None
+    return sent
 
 
 def _numbers(answer: Any) -> dict[str, float]:
@@ -92,12 +102,12 @@ def sweep(
     """`function(**row)` for every combination of `values`, the last changing first, or for `rows`, a dictionary of columns. In the
     dictionary `vary` the names of what has values may be any.
 
-    `map` is any map(function, iterable): that of an executor of processes, of Dask (`client.get_executor().map`), of Ray
-    (`ray.util.multiprocessing.Pool().map`); the built-in one without. The function is sent once with each block of rows, and kept by the
+    `map` is any map(function, iterable): that of an executor of processes, of joblib (`lambda f, rows: Parallel(2)(delayed(f)(row) for row in
+    rows)`), of Dask (`client.get_executor().map`), of Ray (`ray.util.multiprocessing.Pool().map`); the built-in one without. The function is sent once with each block of rows, and kept by the
     workers. What it returns is a number, or a dictionary of numbers; what it raises is told in `failures`,
     unless it is a TypeError, AttributeError or NameError, or all rows fail.
 
-    >>> sweep(lambda a, b: a * b, a=[1, 2], b=[3, 4])["value"].tolist()
+    >>> cs.sweep(lambda a, b: a * b, a=[1, 2], b=[3, 4])["value"].tolist()
     [3.0, 4.0, 6.0, 8.0]
     """
     if not callable(function):
@@ -124,43 +134,6 @@ def sweep(
     return Table(columns, failures)
 
 
-@dataclass(frozen=True)
-class Distribution:
-    """How a number varies: made by `normal`, `uniform` or `triangular`."""
-
-    kind: str
-    parameters: tuple[float, ...]
-
-    def draw(self, rng: np.random.Generator, count: int) -> NDArray[np.float64]:
-        """So many numbers."""
-        return np.asarray(getattr(rng, self.kind)(*self.parameters, size=count))
-
-
-def _distribution(kind: str, *parameters: float) -> Distribution:
-    return Distribution(kind, parameters)
-
-
-def normal(mean: float, sigma: float) -> Distribution:
-    """A normal distribution with the standard deviation `sigma`."""
-    return _distribution("normal", number("mean", mean), number("sigma", sigma, 0.0))
-
-
-def uniform(lo: float, hi: float) -> Distribution:
-    """All numbers from `lo` to `hi` alike."""
-    lo, hi = number("lo", lo), number("hi", hi)
-    if not lo <= hi:
-        raise Error(f"`lo` is {lo!r} and `hi` is {hi!r}: the range is empty")
-    return _distribution("uniform", lo, hi)
-
-
-def triangular(lo: float, mode: float, hi: float) -> Distribution:
-    """Numbers from `lo` to `hi`, most often near `mode`."""
-    lo, mode, hi = number("lo", lo), number("mode", mode), number("hi", hi)
-    if not (lo <= mode <= hi and lo < hi):
-        raise Error(f"{lo!r}, {mode!r} and {hi!r} are not in ascending order")
-    return _distribution("triangular", lo, mode, hi)
-
-
 def monte_carlo(
     function: Callable[..., Any],
     samples: int,
@@ -169,14 +142,14 @@ def monte_carlo(
     vary: Mapping[str, Any] | None = None,
     **values: Any,
 ) -> Table:
-    """`function(**row)` for `samples` rows of random `values`: each is a `normal`, `uniform` or `triangular` distribution, or a number
+    """`function(**row)` for `samples` rows of random `values`: each is of `cspace.distributions`, or frozen of `scipy.stats`, or a number
     that stays. In the dictionary `vary` the names of what has values may be any.
 
     The rows depend on the seed alone: they are the same on one process and on a cluster, and each name has its own numbers whatever
     others there are. A function with an argument `seed` is given another whole number for each row. `map` and what is returned are as of
     `sweep`.
 
-    >>> table = monte_carlo(lambda a, b: a + b, 1000, seed=7, a=normal(1, 0.1), b=2)
+    >>> table = cs.monte_carlo(lambda a, b: a + b, 1000, seed=7, a=cs.distributions.normal(1, 0.1), b=2)
     >>> round(float(table["value"].mean()), 1)
     3.0
     """
@@ -188,9 +161,12 @@ def monte_carlo(
         raise Error(f"`function` is {function!r}, which cannot be called")
     rows: dict[str, Any] = {}
     for name, value in named("vary", vary, values).items():
+        # Of its own: the name is part of the seed.
+        rng = np.random.default_rng([seed, *name.encode()])
         if isinstance(value, Distribution):
-            # Of its own: the name is part of the seed.
-            rows[name] = value.draw(np.random.default_rng([seed, *name.encode()]), samples)
+            rows[name] = value.draw(rng, samples)
+        elif callable(getattr(value, "rvs", None)):
+            rows[name] = np.asarray(value.rvs(size=samples, random_state=rng), dtype=np.float64)
         else:
             rows[name] = np.full(samples, number(name, value))
     try:

@@ -99,11 +99,11 @@ class MotionValidator(base.MotionValidator):
         turn = math.remainder(second.getYaw() - first.getYaw(), math.tau)
         by = second.getX() - first.getX(), second.getY() - first.getY(), turn
         moved = self.space.move(start, by)
-        if moved.result == "contact":
+        if moved.outcome == "contact":
             # It ends in contact, up to what is known of contacts.
             travel = math.hypot(*by[:2]) + _reach(self.space) * abs(turn)
             return (1 - moved.fraction) * travel <= self.space.resolution
-        return moved.result == "free"
+        return moved.outcome == "free"
 
 
 @dataclass(frozen=True)
