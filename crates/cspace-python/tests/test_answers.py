@@ -97,7 +97,7 @@ def test_requirements_are_those_of_the_command(command, peg, tmp_path):
 def test_simulations_are_those_of_the_command(command, models):
     path = models / "geneva.toml"
     told = printed(command, "simulate", str(path), "--time", "3")
-    found = cs.Model.load(path).simulate(3)
+    found = cs.simulate(cs.Model.load(path), 3)
     assert found.status == told["status"] and json.loads(json.dumps(found.events)) == told["events"]
     for name in told["parts"]:
         assert found.coordinates[name].tolist() == [s[name] for s in told["samples"]]

@@ -28,8 +28,8 @@ def coin_and_bar():
     return cs.compute(cs.Part.rectangle(8, 2, name="bar"), cs.Part.circle(1, name="coin"))
 
 
-def bar_and_bar(window=None):
-    return cs.compute(cs.Part.rectangle(8, 2, name="bar"), cs.Part.rectangle(6, 1, name="stick"), window=window)
+def bar_and_bar(theta=None):
+    return cs.compute(cs.Part.rectangle(8, 2, name="bar"), cs.Part.rectangle(6, 1, name="stick"), theta=theta)
 
 
 def checkers(space):
@@ -104,7 +104,7 @@ def test_motions_turn_the_shorter_way():
 
 
 def test_windows_of_orientations():
-    states, motions, state = checkers(bar_and_bar(window=(3.0, 3.5)))
+    states, motions, state = checkers(bar_and_bar(theta=(3.0, 3.5)))
     assert states.isValid(state(0, 5, 3.1)) and states.isValid(state(0, 5, 3.4 - math.tau))
     assert not states.isValid(state(0, 5, 0)) and not states.isValid(state(0, 5, 2.9))
     assert motions.checkMotion(state(0, 5, 3.1), state(1, 5, 3.4 - math.tau))

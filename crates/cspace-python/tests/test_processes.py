@@ -173,7 +173,7 @@ def test_errors_say_what_to_do(peg):
         (lambda: space.contacts((0, 20, 0), -1), "`tolerance`"),
         (lambda: space.plan((0, 20, 0), (0, 30, 0), clearance=np.nan), "`clearance`"),
         (lambda: cs.compute(None, space.moving), "give a Part"),
-        (lambda: cs.compute(space.fixed, space.moving, window=[0]), "(lo, hi)"),
+        (lambda: cs.compute(space.fixed, space.moving, theta=[0]), "(lo, hi)"),
         (lambda: cs.Part.from_points([(0, 0, 1), (1, 0, 0), (0, 1, 0)]), "n×2"),
         (lambda: cs.Part.from_points([1, 2]), "n×2"),
         (lambda: cs.Part.rectangle(1, 2, center=(1, 2, 3)), "(x, y)"),

@@ -79,6 +79,7 @@ __all__ = [
     "progress",
     "separation",
     "set_threads",
+    "simulate",
     "sweep",
 ]
 
@@ -91,3 +92,12 @@ def set_threads(threads: int) -> None:
     if not (isinstance(threads, int) and 0 <= threads <= 1024):
         raise Error(f"`threads` is {threads!r} where a whole number from 0 to 1024 is expected")
     _rust.set_threads(threads)
+
+
+def simulate(model: Model, time: float, every: float | None = None) -> Simulation:
+    """The motion of a model's mechanism over `time` seconds: see `Model.simulate`.
+
+    >>> cs.simulate(model, 1.0).outcome
+    'done'
+    """
+    return model.simulate(time, every)

@@ -38,14 +38,14 @@ def rows(q: Any, width: int, names: str) -> tuple[NDArray[np.float64], bool]:
     return array, single
 
 
-def ends(window: Sequence[float] | None) -> tuple[float, float] | None:
+def window(theta: Sequence[float] | None) -> tuple[float, float] | None:
     """A window of orientations: two numbers, or None."""
-    if window is None:
+    if theta is None:
         return None
     try:
-        lo, hi = (float(x) for x in window)
+        lo, hi = (float(x) for x in theta)
     except (TypeError, ValueError):
-        raise Error(f"`window` is {window!r}: give two orientations (lo, hi) in radians") from None
+        raise Error(f"`theta` is {theta!r}: give two orientations (lo, hi) in radians") from None
     return lo, hi
 
 

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _rust, answers
-from ._arrays import column, ends, given, named, number, pair_names, position, table
+from ._arrays import column, given, named, number, pair_names, position, table, window
 from ._errors import Error
 from ._optional import optional
 from ._part import Part
@@ -172,15 +172,14 @@ class Model:
         return self._model.requirements
 
     def compute(
-        self, fixed: str | None = None, moving: str | None = None, window: Sequence[float] | None = None
+        self, fixed: str | None = None, moving: str | None = None, theta: Sequence[float] | None = None
     ) -> ContactSpace:
-        """The configuration space of two parts, by name; of the only pair without names. `window` are the
-        orientations (lo, hi) for which it is computed, radians.
+        """The configuration space of two parts, by name; of the only pair without names. `theta` is a window of orientations, radians.
 
         >>> model.compute("cam", "fork").pair_class
         'fixed-axes'
         """
-        return ContactSpace(self._model.compute(fixed, moving, ends(window)))
+        return ContactSpace(self._model.compute(fixed, moving, window(theta)))
 
     def poses(self, coordinates: Mapping[str, ArrayLike] | None = None) -> dict[str, NDArray[np.float64]]:
         """Where the parts are: for each the pose (x, y, theta) that takes its drawing to the assembly. `coordinates` are those of parts by

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _draw, _rust
-from ._arrays import angle, ends, number, position
+from ._arrays import angle, number, position, window
 from ._classes import Class
 from ._errors import Error
 from ._features import FeaturePair, pairs
@@ -527,9 +527,8 @@ def _restored(
     return ContactSpace(_rust.ContactSpace._restored(fixed._part, moving._part, relation, theta, unit))
 
 
-def compute(fixed: Part, moving: Part, window: Sequence[float] | None = None) -> ContactSpace:
-    """The configuration space of two parts that move freely in the plane; `window` are the orientations (lo, hi) for which it
-    is computed, radians; a full turn without.
+def compute(fixed: Part, moving: Part, theta: Sequence[float] | None = None) -> ContactSpace:
+    """The configuration space of two parts that move freely in the plane; `theta` is a window of orientations (lo, hi), radians.
 
     >>> cs.compute(cs.Part.rectangle(4, 2), cs.Part.circle(1))
     ContactSpace("rectangle", "circle", symmetric, 32 patches, 1 free regions)
@@ -537,4 +536,4 @@ def compute(fixed: Part, moving: Part, window: Sequence[float] | None = None) ->
     for name, part in (("fixed", fixed), ("moving", moving)):
         if not isinstance(part, Part):
             raise Error(f"`{name}` is {part!r}: give a Part")
-    return ContactSpace(_rust.compute(fixed._part, moving._part, ends(window)))
+    return ContactSpace(_rust.compute(fixed._part, moving._part, window(theta)))
