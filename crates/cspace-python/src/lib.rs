@@ -14,6 +14,7 @@ mod plan;
 mod questions;
 mod rows;
 mod space;
+mod wires;
 mod work;
 
 /// The module.
@@ -34,6 +35,9 @@ mod _rust {
     use crate::questions::{
         _bands, _connected, _crossings, _ends, _evaluate, _measures, _projected,
     };
+
+    #[pymodule_export]
+    use crate::wires::_of_wires;
 
     use pyo3::prelude::*;
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from numpy.typing import ArrayLike
 
-from . import _rust
+from . import _cad, _rust, _wires
 from ._arrays import number, position
 from ._errors import Error
 from ._loops import Loops, outline
@@ -64,7 +64,7 @@ class Part:
     771.726
     """
 
-    __slots__ = ("_part",)
+    __slots__ = ("_fitted", "_part")
 
     def __init__(self, loops: Any, name: str = "part", z: Sequence[float] | None = None) -> None:
         loops = _plain(loops)
@@ -223,7 +223,8 @@ class Part:
         return self.outline._repr_svg_()
 
     def __repr__(self) -> str:
-        return repr(self._part)
+        told = repr(self._part)
+        return f"{told[:-1]}; within {self.fitted:.2g} of its curves)" if self.fitted else told
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Part) and (self.name, self.loops) == (other.name, other.loops)
@@ -233,3 +234,50 @@ class Part:
 
     def __reduce__(self) -> Any:
         return Part, (self.loops, self.name)
+
+    # From and to programs of CAD.
+
+    @classmethod
+    def from_edges(cls, wires: Any, tol: float = 1e-3, name: str = "part", join: float = _wires.JOIN) -> "Part":
+        """The part that closed wires bound, each a list of edges in any order and direction.
+
+        An edge is (start, end) of a line, (start, end, middle) of an arc through a point between, (start, end, [points]) of the cubic spline
+        through points; points are (x, y). An arc whose ends are one is the circle with `middle` opposite. Splines become lines and
+        arcs within `tol`, tangent to each other; `Part.fitted` is how far they are. Ends are one within `join`: by default twice
+        OCCT's size of a vertex, 1e-7. Lengths are in the drawing's unit.
+
+        >>> slot = [((0, 0), (9, 0)), ((9, 4), (9, 0), (11, 2)), ((0, 4), (9, 4)), ((0, 4), (0, 0), (-2, 2))]
+        >>> round(Part.from_edges([slot]).area, 6)
+        48.566371
+        """
+        plain = [list(wire) for wire in wires]
+        edges = [[_wires.read(e, f"edge {k} of wire {i}", join) for k, e in enumerate(w)] for i, w in enumerate(plain)]
+        return cls._fit(edges, tol, join, name)
+
+    @classmethod
+    def from_cad(
+        cls, shape: Any, tol: float = 1e-3, name: str = "part", plane: Any = None, join: float = _wires.JOIN
+    ) -> "Part":
+        """The part of a planar face, wire or sketch, or of several in one plane, of build123d, CadQuery or FreeCAD.
+
+        Lines and circles are taken exactly, other curves become lines and arcs within `tol`. A shape in a horizontal plane has the world's x and
+        y. Another is seen from the front, or from the right if it cannot be: its x axis is the world's x, or y from the right, as far as
+        that is in its plane, its origin the world's moved along the normal. `plane` gives another frame: a Plane, or (origin, x direction,
+        normal), each (x, y, z). `join` is as of `from_edges`.
+
+        >>> Part.from_cad(build123d.SlotOverall(40, 10), name="slot")  # doctest: +SKIP
+        """
+        return cls._fit(_cad.wires(shape, plane, join), tol, join, name)
+
+    @classmethod
+    def _fit(cls, wires: Any, tol: float, join: float, name: str) -> "Part":
+        part, fitted = _wires.made(wires, tol, join, name)
+        self = cls._of(part)
+        self._fitted = fitted
+        return self
+
+    @property
+    def fitted(self) -> float | None:
+        """Of a part made of edges or CAD, how far its lines and arcs are from the curves, measured at many of their points: 0.0 where all
+        are lines and circles. None of other parts, and of those made of it."""
+        return getattr(self, "_fitted", None)
