@@ -266,19 +266,19 @@ def parts_of(shape: Any, kind: str) -> list[Any]:
 
 def shapes(given: Any) -> Iterator[Any]:
     """The shapes of what is given: of a builder, a Workplane, a Sketch or a document's object, and of a list of these."""
-    if isinstance(given, (list, tuple)) and not hasattr(given, "Faces"):
+    if isinstance(given, (list, tuple)):
         for item in given:
             yield from shapes(item)
     elif hasattr(given, "Shape"):
-        yield from shapes(given.Shape)
+        yield given.Shape
     elif callable(getattr(given, "vals", None)):
-        found = given.vals()
-        yield from shapes(list(found) or [given._faces])
-    elif not (hasattr(given, "edges") or hasattr(given, "Edges")):
-        raise Error(f"{given!r} is no shape of build123d, CadQuery or FreeCAD")
+        # A Sketch of CadQuery has its faces beside what is selected, which may be places alone.
+        found = [value for value in given.vals() if hasattr(value, "Edges")]
+        yield from shapes(found or [getattr(given, "_faces", None)])
+    elif hasattr(given, "edges") or hasattr(given, "Edges"):
+        yield next((getattr(given, name) for name in ("part", "sketch", "line") if hasattr(given, name)), given)
     else:
-        built = next((getattr(given, name) for name in ("part", "sketch", "line") if hasattr(given, name)), given)
-        yield built
+        raise Error(f"{given!r} is no shape of build123d, CadQuery or FreeCAD")
 
 
 def _wires_of(shape: Any) -> list[Any]:
@@ -315,7 +315,7 @@ def wires(given: Any, plane: Any, join: float) -> list[list[_wires.Edge]]:
     groups: list[list[Curve]] = []
     for shape in shapes(given):
         if parts_of(shape, "Solids"):
-            raise Error(f"{shape!r} is a solid\nhelp: Part.from_solid makes a part of a section or of layers")
+            raise Error(f"the {type(shape).__name__} is a solid\nhelp: Part.from_solid makes a part of a section or of layers")
         faces = parts_of(shape, "Faces")
         for i, face in enumerate(faces):
             kind = surface(face).kind
@@ -324,6 +324,6 @@ def wires(given: Any, plane: Any, join: float) -> list[list[_wires.Edge]]:
         for wire in [wire for face in faces or [shape] for wire in _wires_of(face)]:
             groups.append([curve(edge) for edge in parts_of(wire, "Edges") or [wire]])
     if not groups:
-        raise Error(f"{given!r} has no wires")
+        raise Error(f"the {type(given).__name__} has no wires")
     frame = Frame.given(plane) if plane is not None else frame_of([c for wire in groups for c in wire], join)
     return wires_in(groups, frame, join, "the shape")

@@ -12,6 +12,7 @@ from ._arrays import number, position
 from ._errors import Error
 from ._loops import Loops, outline
 from ._optional import optional
+from ._solid import Solid
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -268,6 +269,31 @@ class Part:
         >>> Part.from_cad(build123d.SlotOverall(40, 10), name="slot")  # doctest: +SKIP
         """
         return cls._fit(_cad.wires(shape, plane, join), tol, join, name)
+
+    @classmethod
+    def from_solid(
+        cls,
+        solid: Any,
+        z: float | None = None,
+        tol: float = 1e-3,
+        name: str = "part",
+        plane: Any = None,
+        join: float = _wires.JOIN,
+    ) -> "Part":
+        """The part that is the section of a solid at the height `z`; without `z` its layers between horizontal faces, each at its heights.
+
+        A solid has layers if all its faces are horizontal or upright: planes, cylinders and extrusions. Heights are measured along
+        the world's z, or along the normal of `plane` from its origin. `tol`, `plane` and `join` are as of `from_cad`.
+
+        >>> Part.from_solid(build123d.Box(10, 20, 4), name="block").layers  # doctest: +SKIP
+        """
+        cut = Solid(solid, plane, join)
+        if z is not None:
+            return cls._fit(cut.at(number("z", z)), tol, join, name)
+        parts = [(heights, cls._fit(wires, tol, join, name)) for heights, wires in cut.layers()]
+        self = cls._of(_read(name, layers=[{"z": heights, "loops": part.loops} for heights, part in parts]))
+        self._fitted = max(part.fitted or 0.0 for _, part in parts)
+        return self
 
     @classmethod
     def _fit(cls, wires: Any, tol: float, join: float, name: str) -> "Part":

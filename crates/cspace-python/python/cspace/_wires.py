@@ -110,9 +110,11 @@ def read(given: Any, of: str, join: float) -> Edge:
         middle = _point(inner)
         if abs(last - first) <= join:
             return circle(first, middle)
+        if middle in (first, last):
+            raise ValueError("its middle point is at an end")
         # An angle on a circle is half of that at its centre.
         return arc(first, last, math.tan(cmath.phase((last - middle) / (middle - first)) / 2))
-    except (TypeError, ValueError, ZeroDivisionError) as error:
+    except (TypeError, ValueError) as error:
         raise Error(
             f"{of} is no edge: {error}\nhelp: points are (x, y); give (start, end) of a line, (start, end, middle) of an arc, "
             "(start, end, [points]) of another curve"
