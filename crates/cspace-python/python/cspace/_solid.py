@@ -30,7 +30,7 @@ class _Face:
 
     def called(self) -> str:
         kind = self.surface.kind
-        return f"face {self.number} ({_WHAT.get(kind, kind)}, from height {self.lo:.6g} to {self.hi:.6g})"
+        return f"face {self.number} ({_WHAT.get(kind, kind)}, from height {round(self.lo, _DIGITS):g} to {round(self.hi, _DIGITS):g})"
 
     def is_level(self, join: float) -> bool:
         return self.surface.is_plane and self.hi - self.lo <= 2 * join
