@@ -46,7 +46,8 @@ def _placed(assembly: Any) -> Iterator[_Placed]:
             yield from _leaves(shape, f"part {i}")
     elif hasattr(assembly, "traverse"):
         for shape, name, location, _ in assembly:
-            yield _Placed(name, shape, _matrix(location), here)
+            # Names begin with that of the whole assembly.
+            yield _Placed(name.partition("/")[2] or name, shape, _matrix(location), here)
     else:
         yield from _leaves(assembly, "part")
 
@@ -194,15 +195,17 @@ def model(assembly: Any, tol: float, plane: Any, ground: str | None, motion: Map
     for name in [*([] if ground is None else [ground]), *(motion or {})]:
         if name not in names:
             raise Error(f"there is no part named {name!r}\nhelp: the parts are {', '.join(names)}")
-    parts, size = {}, 0.0
+    parts, marks = {}, []
     for part in placed:
         back = np.linalg.inv(part.of_shape)
         own = (back @ [*frame.origin, 1.0])[:3], back[:3, :3] @ frame.x, back[:3, :3] @ frame.z
         try:
-            parts[part.name] = Part.from_solid(part.shape, tol=tol, name=part.name, plane=own, join=join)
+            cut = Solid(part.shape, own, join)
+            parts[part.name] = Part._layered(cut, tol, part.name)
         except Error as error:
             raise Error(f"{part.name}: {error}") from None
-        size = max(size, 2 * Solid(part.shape, own, join).size)
+        marks.append(cut.marks @ part.of_shape[:3, :3].T + part.of_shape[:3, 3])
+    size = float(np.linalg.norm(np.ptp(np.concatenate(marks), axis=0)))
     joints = list(_Reader(placed, frame, size, join).joints())
     still = {ground or names[0]}
     while more := {n for j in joints if j.keys["type"] == "rigid" and still & {*j.parts} for n in j.parts} - still:

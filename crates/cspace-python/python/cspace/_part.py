@@ -288,10 +288,12 @@ class Part:
         >>> Part.from_solid(build123d.Box(10, 20, 4), name="block").layers  # doctest: +SKIP
         """
         cut = Solid(solid, plane, join)
-        if z is not None:
-            return cls._fit(cut.at(number("z", z)), tol, join, name)
-        parts = [(heights, cls._fit(wires, tol, join, name)) for heights, wires in cut.layers()]
-        self = cls._of(_read(name, layers=[{"z": heights, "loops": part.loops} for heights, part in parts]))
+        return cls._layered(cut, tol, name) if z is None else cls._fit(cut.at(number("z", z)), tol, join, name)
+
+    @classmethod
+    def _layered(cls, cut: Solid, tol: float, name: str) -> "Part":
+        parts = [(z, cls._fit(wires, tol, cut.join, name)) for z, wires in cut.layers()]
+        self = cls._of(_read(name, layers=[{"z": z, "loops": part.loops} for z, part in parts]))
         self._fitted = max(part.fitted or 0.0 for _, part in parts)
         return self
 
@@ -307,3 +309,15 @@ class Part:
         """Of a part made of edges or CAD, how far its lines and arcs are from the curves, measured at many of their points: 0.0 where all
         are lines and circles. None of other parts, and of those made of it."""
         return getattr(self, "_fitted", None)
+
+    def to_build123d(self) -> Any:
+        """The part in build123d, with true arcs: a Sketch at z = 0, or of a part with heights the Part that its layers are."""
+        from . import _back
+
+        return _back.build123d(self)
+
+    def to_cadquery(self) -> Any:
+        """The part in CadQuery, with true arcs: a Workplane with its faces at z = 0, or of a part with heights with the solid that its layers are."""
+        from . import _back
+
+        return _back.cadquery(self)

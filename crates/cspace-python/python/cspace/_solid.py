@@ -62,8 +62,7 @@ class Solid:
             heights = [self.frame.height(point) for point in points]
             self.faces.append(_Face(i, _cad.surface(face), min(heights, default=0.0), max(heights, default=0.0)))
             marks += points
-        self.middle = np.mean(marks, axis=0)
-        self.size = float(max(np.linalg.norm(mark - self.middle) for mark in marks))
+        self.marks = np.array(marks)
 
     def at(self, height: float) -> list[list[_wires.Edge]]:
         """The wires of its section at a height, at which it has no face."""
@@ -81,30 +80,33 @@ class Solid:
             more = f" and {len(slanted) - 1} more" if len(slanted) > 1 else ""
             raise Error(
                 f"{slanted[0].called()}{more} is neither horizontal nor upright: the section changes there"
-                "\nhelp: give `z` for the section at one height, or take off chamfers and fillets of horizontal edges"
+                "\nhelp: take off chamfers and fillets of horizontal edges; Part.from_solid gives the section at one height, `z`"
             )
         levels = sorted({round(f.lo, _DIGITS) for f in self.faces if f.is_level(self.join)})
         cut = [((lo, hi), self._cut((lo + hi) / 2)) for lo, hi in zip(levels, levels[1:])]
         return [(z, wires) for z, wires in cut if wires]
 
     def _cut(self, height: float) -> list[list[_wires.Edge]]:
-        frame = self.frame
-        center = self.middle + (height - frame.height(self.middle)) * frame.z
+        frame, middle = self.frame, np.mean(self.marks, axis=0)
+        center = middle + (height - frame.height(middle)) * frame.z
         groups = [[_cad.curve(e) for e in _cad.parts_of(w, "Edges")] for w in self._sections(center)]
+        if not groups:
+            return []
         return _cad.wires_in(groups, frame, self.join, "the section")
 
     def _sections(self, center: Any) -> list[Any]:
         """The wires of the section through a point, cut by the program that the solid is of."""
-        side, normal, shape = _BEYOND * self.size, self.frame.z, self.shape
-        if hasattr(shape, "slice") and hasattr(shape, "BoundBox"):
+        shape, normal = self.shape, self.frame.z.tolist()
+        if hasattr(shape, "slice"):
             vector = type(shape.BoundBox.Center)
-            return list(shape.slice(vector(*normal), float(center @ normal)))
+            return list(shape.slice(vector(*normal), float(center @ self.frame.z)))
+        side = _BEYOND * float(np.linalg.norm(np.ptp(self.marks, axis=0)))
         if hasattr(shape, "geom_type"):
             cad = optional("build123d")
-            sheet = cad.Face.make_rect(side, side, cad.Plane(tuple(center), tuple(self.frame.x), tuple(normal)))
+            sheet = cad.Face.make_rect(side, side, cad.Plane(center.tolist(), self.frame.x.tolist(), normal))
         else:
             cad = optional("cadquery")
-            sheet = cad.Face.makePlane(side, side, cad.Vector(*center), cad.Vector(*normal))
+            sheet = cad.Face.makePlane(side, side, cad.Vector(*center.tolist()), cad.Vector(*normal))
         cut = shape.intersect(sheet)
         pieces = list(cut) if isinstance(cut, (list, tuple)) else [] if cut is None else [cut]
         return [w for piece in pieces for f in _cad.parts_of(piece, "Faces") for w in _cad.parts_of(f, "Wires")]
