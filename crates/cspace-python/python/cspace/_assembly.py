@@ -229,8 +229,8 @@ def model(assembly: Any, tol: float, plane: Any, ground: str | None, motion: Map
     free = {"type": "planar"}
     bodies = {name for joint in kept for name in joint["parts"]}
     entries = []
-    for name, part in parts.items():
-        entry: dict[str, Any] = {"name": name, "layers": [{"z": z, "loops": loops} for z, loops in part.layers]}
+    for name, solid in parts.items():
+        entry: dict[str, Any] = {"name": name, "layers": [{"z": z, "loops": loops} for z, loops in solid.layers]}
         # A part that a joint holds moves as the joint says.
         if name in motions or name not in bodies:
             entry["motion"] = motions.get(name, free)

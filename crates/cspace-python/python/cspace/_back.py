@@ -1,4 +1,4 @@
-"""Parts as shapes of build123d and CadQuery, with true lines and arcs."""
+"""Parts as shapes of build123d and CadQuery, with true lines and arcs. A part here is anything with a name and layers."""
 
 from collections.abc import Callable, Iterator
 from typing import Any
@@ -7,7 +7,6 @@ from . import _arcs
 from ._errors import Error
 from ._loops import Loops
 from ._optional import optional
-from ._part import Part
 
 _Layers = list[tuple[tuple[float, float] | None, list[Any]]]
 
@@ -22,7 +21,7 @@ def _faces(loops: Loops) -> Iterator[tuple[list[Any], list[list[Any]]]]:
             yield loop, [hole for k, hole in enumerate(loops) if i in around[k] and len(around[k]) == len(around[i]) + 1]
 
 
-def _layers(part: Part, face: Callable[[Any, Any], Any], line: Any, arc: Any, wire: Any) -> _Layers:
+def _layers(part: Any, face: Callable[[Any, Any], Any], line: Any, arc: Any, wire: Any) -> _Layers:
     """The faces of each layer, made of lines and arcs at its lowest height, or at 0."""
 
     def made(loop: Any, z: float) -> Any:
@@ -44,7 +43,7 @@ def _layers(part: Part, face: Callable[[Any, Any], Any], line: Any, arc: Any, wi
     return layers
 
 
-def build123d(part: Part) -> Any:
+def build123d(part: Any) -> Any:
     """A Sketch of a part that is at every height, and a Part of one with heights."""
     cad = optional("build123d")
     edge = cad.Edge
@@ -59,7 +58,7 @@ def build123d(part: Part) -> Any:
     return made
 
 
-def cadquery(part: Part) -> Any:
+def cadquery(part: Any) -> Any:
     """A Workplane with the faces of a part that is at every height, and with the solid of one with heights."""
     cad = optional("cadquery")
 

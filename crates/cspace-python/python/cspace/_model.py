@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from . import _rust, answers
+from . import _assembly, _rust, answers
 from ._arrays import column, given, named, number, pair_names, position, table, window
 from ._errors import Error
 from ._part import Part
@@ -296,9 +296,7 @@ class Model:
 
         Parts are called by their labels, and numbered where several have the same.
         """
-        from ._assembly import model
-
-        return cls.loads(json.dumps(model(assembly, tol, plane, ground, motion, join)), "assembly.json")
+        return cls.loads(json.dumps(_assembly.model(assembly, tol, plane, ground, motion, join)), "assembly.json")
 
 
 def _restored(text: str, path: str, values: list[tuple[str, str]]) -> Model:

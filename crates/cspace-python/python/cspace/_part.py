@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from numpy.typing import ArrayLike
 
-from . import _cad, _rust, _wires
+from . import _back, _cad, _rust, _wires
 from ._arrays import number, position
 from ._errors import Error
 from ._loops import Loops, outline
@@ -66,6 +66,7 @@ class Part:
     """
 
     __slots__ = ("_fitted", "_part")
+    _fitted: float
 
     def __init__(self, loops: Any, name: str = "part", z: Sequence[float] | None = None) -> None:
         loops = _plain(loops)
@@ -312,12 +313,8 @@ class Part:
 
     def to_build123d(self) -> Any:
         """The part in build123d, with true arcs: a Sketch at z = 0, or of a part with heights the Part that its layers are."""
-        from . import _back
-
         return _back.build123d(self)
 
     def to_cadquery(self) -> Any:
         """The part in CadQuery, with true arcs: a Workplane with its faces at z = 0, or of a part with heights with the solid that its layers are."""
-        from . import _back
-
         return _back.cadquery(self)

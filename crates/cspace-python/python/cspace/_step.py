@@ -11,6 +11,7 @@ from typing import IO, Any
 
 from . import _assembly, _wires
 from ._errors import Error
+from ._optional import optional
 
 
 def is_step(argument: str) -> bool:
@@ -23,17 +24,14 @@ def _read(path: str) -> Any:
     if not os.path.isfile(path):
         raise Error(f"{path}: there is no such file\nhelp: check the path")
     if importlib.util.find_spec("build123d"):
-        from build123d import import_step
-
-        return import_step(path)
+        return optional("build123d").import_step(path)
     if importlib.util.find_spec("cadquery"):
-        from cadquery import Assembly, importers
-
+        cad = optional("cadquery")
         try:
-            return Assembly.importStep(path)
+            return cad.Assembly.importStep(path)
         except ValueError:
             # It has parts alone, without an assembly of them.
-            return importers.importStep(path).solids().vals()
+            return cad.importers.importStep(path).solids().vals()
     raise Error(f"{path}: STEP files are read by build123d or CadQuery, and neither is installed\nhelp: pip install build123d")
 
 

@@ -138,11 +138,11 @@ def made(wires: Iterable[Sequence[Edge]], tol: float, join: float, name: str) ->
     if not chains:
         raise Error("there are no wires to make a part of")
     asked = [edge for wire in chains for edge in wire if edge.at]
-    count = _FIRST
+    # Half is for the spline through points, where there is one. The module looks at fewer places than it measures: it is asked for less, then.
+    share, count = 0.5 if asked else 1.0, _FIRST
     while True:
-        # Half is for the spline through points, where there is one.
         told = [_told(wire, f"wire {i}", count) for i, wire in enumerate(chains)]
-        part, fitted = _rust._of_wires(told, join, tol / 2 if asked else tol, name)
+        part, fitted = _rust._of_wires(told, join, share * tol, name)
         loops = Loops(part.loops)
         # In the middle between the points.
         off = [loops.distance(*_xy(edge.at((k + 0.5) / count))) for edge in asked if edge.at for k in range(count)]
@@ -150,8 +150,8 @@ def made(wires: Iterable[Sequence[Edge]], tol: float, join: float, name: str) ->
         if fitted <= tol:
             return part, fitted
         if count >= _LAST:
-            raise Error(f"{count} points of a curve leave it {fitted:.3g} from lines and arcs: give a larger `tol`")
-        count *= 2
+            raise Error(f"lines and arcs stay {fitted:.3g} off a curve, more than `tol`, {tol:g}: give a larger one")
+        share, count = 0.9 * share, 2 * count
 
 
 def _told(wire: Sequence[Edge], name: str, count: int) -> dict[str, Any]:
