@@ -112,11 +112,12 @@ impl Edge {
 }
 
 /// The part of wires, whose ends within `join` of each other are one, and the largest distance of its lines and arcs from the curves
-/// that they are fitted to within `tol`.
+/// that they are fitted to within `tol`, and from `places`.
 #[pyfunction]
 pub(crate) fn _of_wires(
     py: Python<'_>,
     wires: &Bound<'_, PyAny>,
+    places: Vec<At>,
     join: f64,
     tol: f64,
     name: String,
@@ -159,9 +160,17 @@ pub(crate) fn _of_wires(
             "every edge belongs to one wire: unite the faces that have an edge in common",
         ));
     }
-    let deviation = outlines.fitted.deviation;
-    match <[_; 1]>::try_from(outlines.parts) {
-        Ok([part]) => Ok((Part { part }, deviation)),
-        Err(_) => Err(error("the wires enclose nothing")),
-    }
+    let Ok([part]) = <[_; 1]>::try_from(outlines.parts) else {
+        return Err(error("the wires enclose nothing"));
+    };
+    let off = |&(x, y): &At| {
+        let at = Point::new(x, y);
+        let all = part.edges().map(|edge| edge.distance(at));
+        all.fold(f64::INFINITY, f64::min)
+    };
+    let off = places
+        .iter()
+        .map(off)
+        .fold(outlines.fitted.deviation, f64::max);
+    Ok((Part { part }, off))
 }

@@ -18,9 +18,9 @@ import cspace as cs
 COUNT = 20_000
 
 
-def polygon(at, *corners):
-    """Area and length of the polygon through points of a curve, at shares of it, and through corners."""
-    points = [*(complex(*list(at(k / COUNT))[:2]) for k in range(COUNT + 1)), *corners]
+def polygon(at):
+    """Area and length of the polygon through points of a curve, at shares of it."""
+    points = [complex(*list(at(k / COUNT))[:2]) for k in range(COUNT + 1)]
     sides = list(zip(points, points[1:] + points[:1]))
     return abs(sum((a.conjugate() * b).imag for a, b in sides)) / 2, sum(abs(b - a) for a, b in sides)
 
@@ -113,7 +113,11 @@ def freecad():
     told = {name: (f.Area, sum(e.Length for e in f.Edges)) for name, f in faces.items()}
     period = spline.LastParameter - spline.FirstParameter
     told |= {"ellipse": polygon(ellipse), "cam": polygon(lambda t: spline.value(spline.FirstParameter + t * period))}
-    return cad, faces, solids, {}, told, {name: s.Volume for name, s in solids.items()}
+    document = FreeCAD.newDocument()
+    both = [document.addObject("Part::Box", name) for name in ("Block", "Stop")]
+    both[1].Placement.Base = at(12, 3, 0)
+    document.recompute()
+    return cad, faces, solids, {"two": both}, told, {name: s.Volume for name, s in solids.items()}
 
 
 def main():

@@ -113,8 +113,8 @@ class _Reader:
                     yield self._joint(joint, joint.connected_to)
 
     def _joint(self, first: Any, second: Any) -> _Joint:
-        # A revolute or a linear joint has the axis, a rigid one only a place.
-        if not hasattr(first, "relative_axis"):
+        # A rigid one has only a place.
+        if type(first).__name__ == "RigidJoint":
             first, second = second, first
         kinds = type(first).__name__, type(second).__name__
         a, b = self._part(first), self._part(second)
@@ -133,8 +133,9 @@ class _Reader:
         off = float(np.linalg.norm(np.cross(ahead, self.frame.z)) if turns else abs(ahead @ self.frame.z))
         if off * self.size > self.join:
             wanted = "normal to" if turns else "in"
+            tilt = math.degrees(math.asin(min(off, 1.0)))
             raise Error(
-                f"{called} has an axis that is not {wanted} the plane of the mechanism: it is {math.degrees(math.asin(min(off, 1.0))):.6g}° off"
+                f"{called} has an axis that is not {wanted} the plane of the mechanism: it is {tilt:.6g}° off"
                 "\nhelp: give the plane in which the parts move as `plane`"
             )
         span, passed = self._passed(first, second, a, b, turns, called)

@@ -21,7 +21,7 @@ _AXES = np.eye(3)
 
 
 def xyz(point: Any) -> _Vector:
-    """The coordinates of a point or of a vector: attributes of FreeCAD's, build123d's and CadQuery's, methods of OCCT's; or three numbers."""
+    """The coordinates of a point or of a vector: attributes of FreeCAD, build123d and CadQuery, methods of OCCT; or three numbers."""
     for names in ("XYZ", "xyz"):
         if hasattr(point, names[0]):
             return np.array([float(c() if callable(c) else c) for c in (getattr(point, name) for name in names)])

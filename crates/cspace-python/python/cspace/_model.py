@@ -285,7 +285,8 @@ class Model:
         motion: Mapping[str, Any] | None = None,
         join: float = JOIN,
     ) -> "Model":
-        """The model of an assembly of build123d or CadQuery, or of a list of solids, in mm: parts of layers as of `Part.from_solid`, drawn where they stand.
+        """The model of an assembly of build123d or CadQuery, or of a list of solids of these and FreeCAD, in mm: parts of layers as of
+        `Part.from_solid`, drawn where they stand.
 
         They move in the world's horizontal plane, or in `plane`. The part `ground`, by default the first, is fixed. Of build123d's joints a
         RevoluteJoint or a LinearJoint to the ground is a motion, whose `range` is the joint's, from where the parts stand; one between two

@@ -243,16 +243,19 @@ class Part:
     def from_edges(cls, wires: Any, tol: float = 1e-3, name: str = "part", join: float = _wires.JOIN) -> "Part":
         """The part that closed wires bound, each a list of edges in any order and direction.
 
-        An edge is (start, end) of a line, (start, end, middle) of an arc through a point between, (start, end, [points]) of the cubic spline
-        through points; points are (x, y). An arc whose ends are one is the circle with `middle` opposite. Splines become lines and
-        arcs within `tol`, tangent to each other; `Part.fitted` is how far they are. Ends are one within `join`: by default twice
+        An edge is (start, end) of a line, (start, end, middle) of an arc through a point between, (start, end, [points]) of the cubic
+        spline through points; points are (x, y). An arc whose ends are one is the circle with `middle` opposite. Splines become lines
+        and arcs within `tol`, tangent to each other; `Part.fitted` is how far they are. Ends are one within `join`: by default twice
         OCCT's size of a vertex, 1e-7. Lengths are in the drawing's unit.
 
         >>> slot = [((0, 0), (9, 0)), ((9, 4), (9, 0), (11, 2)), ((0, 4), (9, 4)), ((0, 4), (0, 0), (-2, 2))]
         >>> round(Part.from_edges([slot]).area, 6)
         48.566371
         """
-        plain = [list(wire) for wire in wires]
+        try:
+            plain = [list(wire) for wire in wires]
+        except TypeError:
+            raise Error(f"`wires` is {wires!r}: give a list of wires, each a list of edges") from None
         edges = [[_wires.read(e, f"edge {k} of wire {i}", join) for k, e in enumerate(w)] for i, w in enumerate(plain)]
         return cls._fit(edges, tol, join, name)
 
@@ -262,10 +265,10 @@ class Part:
     ) -> "Part":
         """The part of a planar face, wire or sketch, or of several in one plane, of build123d, CadQuery or FreeCAD.
 
-        Lines and circles are taken exactly, other curves become lines and arcs within `tol`. A shape in a horizontal plane has the world's x and
-        y. Another is seen from the front, or from the right if it cannot be: its x axis is the world's x, or y from the right, as far as
-        that is in its plane, its origin the world's moved along the normal. `plane` gives another frame: a Plane, or (origin, x direction,
-        normal), each (x, y, z). `join` is as of `from_edges`.
+        Lines and circles are taken exactly, other curves become lines and arcs within `tol`. A shape is seen from above, if its plane is
+        upright from the front, and if it faces sideways from the right. Its x axis is the world's, as far as that is in its plane (its y
+        axis where the plane faces right more than anything); its origin is the world's, moved along the normal. `plane` gives another
+        frame: a Plane, or (origin, x direction, normal), each (x, y, z). `join` is as of `from_edges`.
 
         >>> Part.from_cad(build123d.SlotOverall(40, 10), name="slot")  # doctest: +SKIP
         """
@@ -316,5 +319,6 @@ class Part:
         return _back.build123d(self)
 
     def to_cadquery(self) -> Any:
-        """The part in CadQuery, with true arcs: a Workplane with its faces at z = 0, or of a part with heights with the solid that its layers are."""
+        """The part in CadQuery, with true arcs: a Workplane with its faces at z = 0, or with the solid that the layers of a part with
+        heights are."""
         return _back.cadquery(self)

@@ -27,11 +27,14 @@ def _read(path: str) -> Any:
         return optional("build123d").import_step(path)
     if importlib.util.find_spec("cadquery"):
         cad = optional("cadquery")
+        solids = cad.importers.importStep(path).solids().vals()
         try:
-            return cad.Assembly.importStep(path)
+            assembly = cad.Assembly.importStep(path)
         except ValueError:
-            # It has parts alone, without an assembly of them.
-            return cad.importers.importStep(path).solids().vals()
+            # It has parts alone.
+            return solids
+        # CadQuery leaves out a shape that stands beside parts in an assembly: all solids, without names, are better.
+        return assembly if sum(len(shape.Solids()) for shape, *_ in assembly) == len(solids) else solids
     raise Error(f"{path}: STEP files are read by build123d or CadQuery, and neither is installed\nhelp: pip install build123d")
 
 
@@ -63,14 +66,19 @@ def run(arguments: list[str]) -> int:
             stdout=subprocess.PIPE,
             stderr=subprocess.PIPE,
         )
-        own = {made.encode(): path.encode() for path, made in names.items()}
+        own = {os.fsencode(made): os.fsencode(path) for path, made in names.items()}
         streams = [(child.stdout, sys.stdout.buffer), (child.stderr, sys.stderr.buffer)]
         threads = [threading.Thread(target=_copy, args=(source, to, own)) for source, to in streams]
         for thread in threads:
             thread.start()
+        try:
+            child.wait()
+        except KeyboardInterrupt:
+            # The command is told, too, and prints what it knows.
+            child.wait()
         for thread in threads:
             thread.join()
-        return child.wait()
+        return child.returncode
 
 
 def _copy(source: IO[bytes], to: IO[bytes], names: dict[bytes, bytes]) -> None:
