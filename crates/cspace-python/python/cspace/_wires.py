@@ -50,10 +50,12 @@ class Edge:
         return Edge(self.end, self.start, self.back, self.forth, (lambda share: at(1 - share)) if at else None)
 
     def pieces(self, count: int) -> Sequence[_Piece]:
-        """Its pieces; a curve that is known by its points is the spline through its ends and those between so many equal shares."""
+        """Its pieces; a curve that is known by its points is the spline through its ends and so many between, with as many pieces."""
         if self.at is None:
             return self.forth
-        return through(self.start, self.end, [self.at(k / count) for k in range(1, count)]).forth
+        # The spline has no curvature at its ends. The points are closer there, so that this is felt no farther than elsewhere.
+        shares = [(1 - math.cos(math.pi * k / count)) / 2 for k in range(1, count)]
+        return through(self.start, self.end, [self.at(share) for share in shares]).forth
 
 
 def _xy(point: complex) -> tuple[float, float]:
