@@ -146,7 +146,7 @@ def made(wires: Iterable[Sequence[Edge]], tol: float, join: float, name: str) ->
     if not chains:
         raise Error("there are no wires to make a part of")
     asked = [edge for wire in chains for edge in wire if edge.at]
-    # Half is for the spline through points, where there is one. Between the samples of a fit it may be off by more: then less is asked of it.
+    # Half is for the spline through points, where there is one. A fit may be off by more between its samples: then less is asked of it.
     share, count = 0.5 if asked else 1.0, _FIRST
     while True:
         told = [_told(wire, f"wire {i}", count) for i, wire in enumerate(chains)]
