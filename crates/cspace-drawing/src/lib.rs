@@ -50,7 +50,7 @@ mod write;
 
 pub use affine::Affine;
 pub use color::Color;
-pub use curve::{Curve, EllipseArc, Spline, SplineError};
+pub use curve::{Curve, EllipseArc, Spline, SplineError, interpolate};
 pub use drawing::{Drawing, Elsewhere, Entity, Ignored, LayerReason, Origin, Path, Piece, Problem};
 pub use error::DrawingError;
 pub use offset::{Offset, OffsetError, offset};

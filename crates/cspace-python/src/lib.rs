@@ -14,6 +14,7 @@ mod plan;
 mod questions;
 mod rows;
 mod space;
+mod wires;
 mod work;
 
 /// The module.
@@ -32,6 +33,9 @@ mod _rust {
     use crate::picture::_svg;
     #[pymodule_export]
     use crate::questions::{_bands, _connected, _crossings, _ends, _evaluate, _measures};
+
+    #[pymodule_export]
+    use crate::wires::_of_wires;
 
     use pyo3::prelude::*;
 

@@ -9,7 +9,7 @@ use super::Spline;
 ///
 /// A file that has the points a spline was drawn through but not its control points leaves the spline open: this is the
 /// most common choice.
-pub(crate) fn interpolate(
+pub fn interpolate(
     points: &[Point],
     ends: [Option<Vector>; 2],
     closed: bool,

@@ -9,7 +9,7 @@ use cspace::part::Bounds;
 use cspace::{Point, Vector};
 
 pub use ellipse::EllipseArc;
-pub(crate) use interpolate::interpolate;
+pub use interpolate::interpolate;
 pub use spline::{Spline, SplineError};
 
 use crate::affine::Affine;

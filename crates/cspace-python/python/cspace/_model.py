@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from . import _rust, answers
+from . import _assembly, _rust, answers
 from ._arrays import column, given, named, number, pair_names, position, table, window
 from ._errors import Error
 from ._optional import optional
@@ -17,6 +17,7 @@ from ._part import Part
 from ._record import plain as _plain
 from ._results import Check, Escape, Plan, Simulation, Table, Tolerances
 from ._space import ContactSpace
+from ._wires import JOIN
 
 def _number(name: str, value: Any) -> float | None:
     """A finite number of 0 or more, or None."""
@@ -445,6 +446,30 @@ class Model:
 
     def __reduce__(self) -> Any:
         return _restored, self._model._source()
+
+    @classmethod
+    def from_assembly(
+        cls,
+        assembly: Any,
+        tol: float = 1e-3,
+        plane: Any = None,
+        ground: str | None = None,
+        motion: Mapping[str, Any] | None = None,
+        join: float = JOIN,
+    ) -> "Model":
+        """The model of an assembly of build123d or CadQuery, or of a list of solids of these and FreeCAD, in mm: parts of layers as of
+        `Part.from_solid`, drawn where they stand.
+
+        They move in the world's horizontal plane, or in `plane`. The part `ground`, by default the first, is fixed. Of build123d's joints a
+        RevoluteJoint or a LinearJoint to the ground is a motion, whose `range` is the joint's, from where the parts stand; one between two
+        others is a joint, which has no range; parts of two RigidJoints are one body. Parts without joints, such as CadQuery's, are
+        free (planar), unless `motion` says, by their names, how they move, as in a model file:
+
+        >>> Model.from_assembly(hinge, motion={"leaf": {"type": "revolute", "center": [0, 0]}})  # doctest: +SKIP
+
+        Parts are called by their labels, and numbered where several have the same.
+        """
+        return cls.loads(json.dumps(_assembly.model(assembly, tol, plane, ground, motion, join)), "assembly.json")
 
 
 class _Parts(dict[str, Part]):

@@ -7,13 +7,14 @@ from typing import TYPE_CHECKING, Any
 
 from numpy.typing import ArrayLike
 
-from . import _rust
+from . import _back, _cad, _rust, _wires
 from ._arrays import number, position
 from ._errors import Error
 from ._features import Feature
 from ._loops import Loops, outline
 from ._optional import optional
 from ._record import plain
+from ._solid import Solid
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -57,7 +58,8 @@ class Part:
     771.726
     """
 
-    __slots__ = ("_part",)
+    __slots__ = ("_fitted", "_part")
+    _fitted: float
 
     def __init__(self, loops: Any, name: str = "part", z: Sequence[float] | None = None) -> None:
         loops = plain(loops)
@@ -338,7 +340,8 @@ class Part:
         return self.outline._repr_svg_()
 
     def __repr__(self) -> str:
-        return repr(self._part)
+        told = repr(self._part)
+        return f"{told[:-1]}; within {self.fitted:.2g} of its curves)" if self.fitted else told
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Part) and self._part._sent() == other._part._sent()
@@ -348,6 +351,92 @@ class Part:
 
     def __reduce__(self) -> Any:
         return _received, (self._part._sent(),)
+
+    # From and to programs of CAD.
+
+    @classmethod
+    def from_edges(cls, wires: Any, tol: float = 1e-3, name: str = "part", join: float = _wires.JOIN) -> "Part":
+        """The part that closed wires bound, each a list of edges in any order and direction.
+
+        An edge is (start, end) of a line, (start, end, middle) of an arc through a point between, (start, end, [points]) of the cubic
+        spline through points; points are (x, y). An arc whose ends are one is the circle with `middle` opposite. Splines become lines
+        and arcs within `tol`, tangent to each other; `Part.fitted` is how far they are. Ends are one within `join`: by default twice
+        OCCT's size of a vertex, 1e-7. Lengths are in the drawing's unit.
+
+        >>> slot = [((0, 0), (9, 0)), ((9, 4), (9, 0), (11, 2)), ((0, 4), (9, 4)), ((0, 4), (0, 0), (-2, 2))]
+        >>> round(Part.from_edges([slot]).area, 6)
+        48.566371
+        """
+        try:
+            plain = [list(wire) for wire in wires]
+        except TypeError:
+            raise Error(f"`wires` is {wires!r}: give a list of wires, each a list of edges") from None
+        edges = [[_wires.read(e, f"edge {k} of wire {i}", join) for k, e in enumerate(w)] for i, w in enumerate(plain)]
+        return cls._fit(edges, tol, join, name)
+
+    @classmethod
+    def from_cad(
+        cls, shape: Any, tol: float = 1e-3, name: str = "part", plane: Any = None, join: float = _wires.JOIN
+    ) -> "Part":
+        """The part of a planar face, wire or sketch, or of several in one plane, of build123d, CadQuery or FreeCAD.
+
+        Lines and circles are taken exactly, other curves become lines and arcs within `tol`. A shape is seen from above, if its plane is
+        upright from the front, and if it faces sideways from the right. Its x axis is the world's, as far as that is in its plane (its y
+        axis where the plane faces right more than anything); its origin is the world's, moved along the normal. `plane` gives another
+        frame: a Plane, or (origin, x direction, normal), each (x, y, z). `join` is as of `from_edges`.
+
+        >>> Part.from_cad(build123d.SlotOverall(40, 10), name="slot")  # doctest: +SKIP
+        """
+        return cls._fit(_cad.wires(shape, plane, join), tol, join, name)
+
+    @classmethod
+    def from_solid(
+        cls,
+        solid: Any,
+        z: float | None = None,
+        tol: float = 1e-3,
+        name: str = "part",
+        plane: Any = None,
+        join: float = _wires.JOIN,
+    ) -> "Part":
+        """The part that is the section of a solid at the height `z`; without `z` its layers between horizontal faces, each at its heights.
+
+        A solid has layers if all its faces are horizontal or upright: planes, cylinders and extrusions. Heights are measured along
+        the world's z, or along the normal of `plane` from its origin. `tol`, `plane` and `join` are as of `from_cad`.
+
+        >>> Part.from_solid(build123d.Box(10, 20, 4), name="block").layers  # doctest: +SKIP
+        """
+        cut = Solid(solid, plane, join)
+        return cls._layered(cut, tol, name) if z is None else cls._fit(cut.at(number("z", z)), tol, join, name)
+
+    @classmethod
+    def _layered(cls, cut: Solid, tol: float, name: str) -> "Part":
+        parts = [(z, cls._fit(wires, tol, cut.join, name)) for z, wires in cut.layers()]
+        self = cls._of(_read(name, layers=[{"z": z, "loops": part.loops} for z, part in parts]))
+        self._fitted = max(part.fitted or 0.0 for _, part in parts)
+        return self
+
+    @classmethod
+    def _fit(cls, wires: Any, tol: float, join: float, name: str) -> "Part":
+        part, fitted = _wires.made(wires, tol, join, name)
+        self = cls._of(part)
+        self._fitted = fitted
+        return self
+
+    @property
+    def fitted(self) -> float | None:
+        """Of a part made of edges or CAD, how far its lines and arcs are from the curves, measured at many of their points: 0.0 where all
+        are lines and circles. None of other parts, and of those made of it."""
+        return getattr(self, "_fitted", None)
+
+    def to_build123d(self) -> Any:
+        """The part in build123d, with true arcs: a Sketch at z = 0, or of a part with heights the Part that its layers are."""
+        return _back.build123d(self)
+
+    def to_cadquery(self) -> Any:
+        """The part in CadQuery, with true arcs: a Workplane with its faces at z = 0, or with the solid that the layers of a part with
+        heights are."""
+        return _back.cadquery(self)
 
 
 def _received(sent: str) -> Part:

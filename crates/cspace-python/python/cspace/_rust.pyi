@@ -239,6 +239,11 @@ def _measures(space: Any) -> Any:
     """How many features the parts have, below which clearance there is none, and how near to a contact is in contact."""
 
 
+def _of_wires(wires: Any, places: Any, join: Any, tol: Any, name: Any) -> Any:
+    """The part of wires, whose ends within `join` of each other are one, and the largest distance of its lines and arcs from the curves
+    that they are fitted to within `tol`, and from `places`."""
+
+
 def _require_page() -> Any:
     """Raises an error that says how to get the page of the command, if this package was built without it."""
 
