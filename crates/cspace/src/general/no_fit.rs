@@ -91,7 +91,12 @@ impl NoFit {
     pub fn within(container: &Part, moving: &Part) -> Self {
         // Frame so wide that the part cannot be on both sides of it.
         let frame = container.framing(2.0 * moving.size());
-        Self::of(&frame, moving, true)
+        Self::inside(&frame, moving)
+    }
+
+    /// Positions of a part within the outermost loop of walls, which are so wide that the part cannot be on both sides of them.
+    pub fn inside(walls: &Part, moving: &Part) -> Self {
+        Self::of(walls, moving, true)
     }
 
     fn of(fixed: &Part, moving: &Part, within: bool) -> Self {
