@@ -88,6 +88,14 @@ impl Flush {
         all
     }
 
+    /// The orientation, by whole turns, if it is one with another: an edge that lies flush does so at the other, to a touching distance.
+    pub(super) fn beside(&self, theta: f64, touch: f64) -> Option<f64> {
+        let near = self.theta + TAU * ((theta - self.theta) / TAU).round();
+        let off = (near - theta).abs();
+        let is_one = |p: &Pair| off * p.length() <= touch;
+        self.pairs.iter().any(is_one).then_some(near)
+    }
+
     /// The length that can lie flush at most: each edge on walls as long as it.
     pub(super) fn most(&self) -> f64 {
         let mut pairs: Vec<&Pair> = self.pairs.iter().collect();

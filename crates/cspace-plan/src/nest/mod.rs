@@ -21,13 +21,13 @@
 //!
 //! ```
 //! use cspace::{Part, Point, Silent, Vector};
-//! use cspace_plan::nest::Nest;
+//! use cspace_plan::nest::{Nest, Orientations};
 //! // The last of four tiles fits exactly.
 //! let tray = Part::rectangle("tray", (0.0, 0.0), 4.0, 2.0)?;
 //! let tile = Part::rectangle("tile", (0.0, 0.0), 2.0, 1.0)?;
 //! let at = |x, y| cspace::Configuration::new(x, y, 0.0);
 //! let placed = [(&tile, at(-1.0, -0.5)), (&tile, at(1.0, -0.5)), (&tile, at(1.0, 0.5))];
-//! let nest = Nest::new(&tray, &placed, &tile, None, &Silent)?;
+//! let nest = Nest::new(&tray, &placed, &tile, Orientations::All, &Silent)?;
 //! let last = nest.lowest(Vector::new(0.0, -1.0), Point::ORIGIN).ok_or("it does not fit")?;
 //! assert!((last.at.x + 1.0).abs() < 1e-9 && (last.at.y - 0.5).abs() < 1e-9);
 //! assert!((last.length - 6.0).abs() < 1e-9);
@@ -42,9 +42,10 @@ use std::sync::{Arc, OnceLock};
 
 use core::f64::consts::TAU;
 
+use cspace::pair::touching_features;
 use cspace::{
-    Configuration, Coordinates, CurveGeometry, Edge, FeatureName, NoFit, Options, PairError,
-    PairSpace, Part, PartError, Point, Progress, QueryError, Relation, Slice, Vector,
+    Configuration, CurveGeometry, Edge, FeatureName, NoFit, Options, PairError, PairSpace, Part,
+    PartError, Point, Progress, Relation, Slice, Vector,
 };
 
 use crate::exact_fit::touching_distance;
@@ -113,11 +114,25 @@ pub struct Place {
     pub length: f64,
 }
 
+/// The orientations that a part may have, in radians.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Orientations {
+    /// All of a turn.
+    All,
+    /// Those from the first to the second.
+    Window(f64, f64),
+    /// These alone: no contact space is computed.
+    These(Vec<f64>),
+}
+
 /// A part, and what it is to be placed among.
 #[derive(Debug)]
 pub struct Nest {
-    space: Arc<PairSpace>,
     walls: Walls,
+    moving: Part,
+    orientations: Orientations,
+    /// The space of the walls and the part, unless single orientations were asked for.
+    space: Option<Arc<PairSpace>>,
     /// The edges of the container and of the placed parts.
     edges: Vec<Edge>,
     /// Positions at single orientations, exact fits among them.
@@ -132,7 +147,7 @@ pub struct Nest {
 type Rank = [f64; 3];
 
 impl Nest {
-    /// A part in a container, beside parts that are placed by configurations and may touch; `window` limits its orientations.
+    /// A part in a container, beside parts that are placed by configurations and may touch.
     ///
     /// # Errors
     /// If parts overlap, stick out of the container, or have layers; and if the space cannot be computed.
@@ -140,44 +155,60 @@ impl Nest {
         container: &Part,
         placed: &[(&Part, Configuration)],
         moving: &Part,
-        window: Option<(f64, f64)>,
+        orientations: Orientations,
         progress: &dyn Progress,
     ) -> Result<Self, NestError> {
         let walls = Walls::new(container, placed, moving)?;
-        let options = Options {
-            window,
-            ..Options::default()
-        };
-        let space =
-            PairSpace::compute_with(&walls.part, moving, Relation::Planar, &options, progress)?;
-        let touch = touching_distance(&walls.part, moving).max(2.0 * space.resolution());
-        let edges = (walls.part.loops().iter().zip(0..))
-            .filter(|(_, loop_index)| walls.has(*loop_index))
-            .flat_map(|(of, _)| of.edges());
+        let mut touch = touching_distance(&walls.part, moving);
+        let mut space = None;
+        if !matches!(orientations, Orientations::These(_)) {
+            let window = match orientations {
+                Orientations::Window(lo, hi) => Some((lo, hi)),
+                _ => None,
+            };
+            let options = Options {
+                window,
+                ..Options::default()
+            };
+            let relation = Relation::Planar;
+            let computed =
+                PairSpace::compute_with(&walls.part, moving, relation, &options, progress)?;
+            // Contacts at sharp corners are known to less.
+            touch = touch.max(2.0 * computed.resolution());
+            space = Some(Arc::new(computed));
+        }
+        let loops = walls.part.loops().iter().enumerate();
+        let edges = loops
+            .filter(|(loop_index, _)| walls.has(*loop_index))
+            .flat_map(|(_, of)| of.edges());
         Ok(Self {
             edges: edges.collect(),
-            space: Arc::new(space),
+            space,
             walls,
+            moving: moving.clone(),
+            orientations,
             no_fit: OnceLock::new(),
             flush: OnceLock::new(),
             touch,
         })
     }
 
-    /// The space of the walls, the container's outside with a frame around it among them, and the part. Its caged regions are within the
-    /// container.
-    pub fn space(&self) -> &Arc<PairSpace> {
-        &self.space
+    /// The space of the walls, the container's outside with a frame around it among them, and the part; its caged regions are within the
+    /// container. `None` where single orientations were asked for.
+    pub fn space(&self) -> Option<&Arc<PairSpace>> {
+        self.space.as_ref()
     }
 
-    fn moving(&self) -> &Part {
-        self.space.moving()
+    /// The part.
+    pub fn moving(&self) -> &Part {
+        &self.moving
     }
 
     /// Whether the part fits somewhere, with room or exactly.
     pub fn fits(&self) -> bool {
-        let has_room = self.space.regions().iter().any(|r| !r.unbounded);
-        has_room || (self.exact()).any(|theta| !self.positions(theta).loops.is_empty())
+        let regions = self.space.iter().flat_map(|space| space.regions());
+        regions.into_iter().any(|r| !r.unbounded)
+            || (self.exact().into_iter()).any(|theta| !self.positions(theta).loops.is_empty())
     }
 
     /// The place at which a point of the part, in its frame, is farthest in a direction; `None` if it fits nowhere, or the direction has no
@@ -187,22 +218,20 @@ impl Nest {
         if !unit.x.is_finite() || !unit.y.is_finite() || !about.is_finite() {
             return None;
         }
-        let PairSpace::Planar(space) = &*self.space else {
-            return None;
+        let roomy = match self.space.as_deref() {
+            Some(PairSpace::Planar(space)) => space.farthest(unit, about),
+            _ => None,
         };
-        let roomy = space.farthest(unit, about).map(|f| f.configuration);
+        let roomy = roomy.map(|f| f.configuration);
+        let mut thetas = self.exact();
+        thetas.extend(
+            roomy
+                .into_iter()
+                .flat_map(|roomy| self.flush_at(roomy.theta)),
+        );
         let rank = |at: Configuration| rank(unit, about, at);
-        // Flush orientations that the space knows to its resolution, and those of exact fits.
-        let near = roomy.into_iter().flat_map(|roomy| {
-            (self.flush().iter()).filter_map(move |flush| {
-                let theta = flush.theta + TAU * ((roomy.theta - flush.theta) / TAU).round();
-                let is_flush =
-                    |p: &flush::Pair| (theta - roomy.theta).abs() * p.length() <= self.touch;
-                flush.pairs.iter().any(is_flush).then_some(theta)
-            })
-        });
         let mut best: Option<(Rank, Configuration)> = None;
-        for theta in near.filter_map(|t| self.in_window(t)).chain(self.exact()) {
+        for theta in thetas {
             for at in places(&self.positions(theta), unit) {
                 self.keep(&mut best, rank(at), at);
             }
@@ -218,27 +247,27 @@ impl Nest {
     }
 
     /// The place at which the greatest length of the part's outline lies flush on the container and the placed parts; of several the
-    /// lowest, then the leftmost, by the part's centroid. Where nothing can lie flush, the lowest place; `None` if the part fits nowhere.
-    pub fn tightest(&self) -> Option<Place> {
-        let about = self.moving().moments().centroid;
+    /// lowest of a point of the part, in its frame, then the leftmost. Where nothing can lie flush, the lowest place; `None` if the part
+    /// fits nowhere.
+    pub fn tightest(&self, about: Point) -> Option<Place> {
         let mut longest = 0.0;
         let mut best: Option<(Rank, Configuration)> = None;
         for flush in self.flush() {
             if flush.most() < longest - self.touch {
                 break;
             }
-            let Some(theta) = self.in_window(flush.theta) else {
+            let Some(theta) = self.allowed(flush) else {
                 continue;
             };
             let positions = self.positions(theta);
-            let corners = (flush.pairs.iter())
-                .flat_map(|pair| pair.corners(theta))
-                .filter(|&p| {
-                    (positions.nearest(p)).is_some_and(|(_, q)| q.distance(p) <= self.touch)
-                })
+            let is_place = |&p: &Point| {
+                (positions.nearest(p)).is_some_and(|(_, q)| q.distance(p) <= self.touch)
+            };
+            let corners = (flush.pairs.iter().flat_map(|pair| pair.corners(theta)))
+                .filter(is_place)
                 .map(|p| Configuration::new(p.x, p.y, theta));
             for at in places(&positions, DOWN).chain(corners) {
-                let length = touching::length(&self.edges, self.moving(), at, self.touch);
+                let length = touching::length(&self.edges, &self.moving, at, self.touch);
                 if length > longest + self.touch {
                     (longest, best) = (length, None);
                 }
@@ -267,59 +296,61 @@ impl Nest {
     }
 
     fn place(&self, at: Configuration) -> Place {
+        let near = touching_features(&self.walls.part, &self.moving, at, self.touch);
+        let touching = near.iter().filter_map(|n| {
+            let (owner, wall) = self.walls.owner(n.fixed.name)?;
+            Some((owner, wall, n.moving.name))
+        });
         Place {
             at,
-            touching: self.touching(at).unwrap_or_default(),
-            length: touching::length(&self.edges, self.moving(), at, self.touch),
+            touching: touching.collect(),
+            length: touching::length(&self.edges, &self.moving, at, self.touch),
         }
     }
 
-    fn touching(
-        &self,
-        at: Configuration,
-    ) -> Result<Vec<(Owner, FeatureName, FeatureName)>, QueryError> {
-        let near = (self.space).near_features(Coordinates::Planar(at), self.touch)?;
-        let of = |n: &cspace::NearFeatures| {
-            let (owner, wall) = self.walls.owner(n.fixed.name)?;
-            Some((owner, wall, n.moving.name))
-        };
-        Ok(near.iter().filter_map(of).collect())
-    }
-
-    /// The orientations at which the part may fit exactly.
-    fn exact(&self) -> impl Iterator<Item = f64> {
-        let is_round = self.moving().symmetry().is_round();
-        let flush = (self.flush().iter())
-            .filter(move |flush| !is_round && flush.holds(self.touch))
-            .map(|flush| flush.theta);
-        let any = is_round.then_some(0.0).into_iter();
-        any.chain(flush).filter_map(|theta| self.in_window(theta))
+    /// The orientations that are looked at whether or not there is room: those at which the part may fit exactly, or that alone it may
+    /// have.
+    fn exact(&self) -> Vec<f64> {
+        let is_round = self.moving.symmetry().is_round();
+        match &self.orientations {
+            Orientations::These(thetas) => thetas.clone(),
+            Orientations::Window(lo, _) if is_round => vec![*lo],
+            Orientations::All if is_round => vec![0.0],
+            _ => (self.flush().iter())
+                .filter(|flush| flush.holds(self.touch))
+                .filter_map(|flush| self.allowed(flush))
+                .collect(),
+        }
     }
 
     fn flush(&self) -> &[Flush] {
-        (self.flush).get_or_init(|| Flush::all(&self.edges, self.moving(), self.touch))
+        (self.flush).get_or_init(|| Flush::all(&self.edges, &self.moving, self.touch))
+    }
+
+    /// The flush orientations that are one with an orientation.
+    fn flush_at(&self, theta: f64) -> impl Iterator<Item = f64> {
+        let touch = self.touch;
+        (self.flush().iter()).filter_map(move |flush| flush.beside(theta, touch))
     }
 
     /// The positions within the container at an orientation.
     fn positions(&self, theta: f64) -> Slice {
-        let no_fit = (self.no_fit).get_or_init(|| NoFit::inside(self.space.fixed(), self.moving()));
+        let no_fit = (self.no_fit).get_or_init(|| NoFit::inside(&self.walls.part, &self.moving));
         no_fit.at(theta)
     }
 
-    /// The orientation by whole turns in the window; a round part has all of them.
-    fn in_window(&self, theta: f64) -> Option<f64> {
-        let PairSpace::Planar(space) = &*self.space else {
-            return None;
-        };
-        let window = space.window();
-        if window.full_turn {
-            return Some(theta);
+    /// A flush orientation as one that the part may have.
+    fn allowed(&self, flush: &Flush) -> Option<f64> {
+        match &self.orientations {
+            Orientations::All => Some(flush.theta),
+            Orientations::Window(lo, hi) => {
+                let theta = flush.theta + TAU * ((lo - flush.theta) / TAU).ceil();
+                (theta <= *hi).then_some(theta)
+            }
+            Orientations::These(thetas) => {
+                (thetas.iter().copied()).find(|&theta| flush.beside(theta, self.touch).is_some())
+            }
         }
-        if self.moving().symmetry().is_round() {
-            return Some(window.lo);
-        }
-        let theta = theta + TAU * ((window.lo - theta) / TAU).ceil();
-        (theta <= window.hi).then_some(theta)
     }
 }
 

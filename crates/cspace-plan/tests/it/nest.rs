@@ -3,14 +3,14 @@
 use core::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use cspace::{Configuration, CurveGeometry, NoFit, Part, Point, Silent, Slice, Vector, Vertex};
-use cspace_plan::nest::{Nest, NestError, Owner, Place};
+use cspace_plan::nest::{Nest, NestError, Orientations, Owner, Place};
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
 const DOWN: Vector = Vector { x: 0.0, y: -1.0 };
 
 fn nest(container: &Part, placed: &[(&Part, Configuration)], part: &Part) -> Nest {
-    Nest::new(container, placed, part, None, &Silent).unwrap()
+    Nest::new(container, placed, part, Orientations::All, &Silent).unwrap()
 }
 
 fn assert_at(place: &Place, (x, y, theta): (f64, f64, f64)) {
@@ -145,7 +145,7 @@ fn the_tightest_fills_a_notch() {
     let sheet = Part::rectangle("sheet", (0.0, 3.0), 12.0, 10.0).unwrap();
     let key = Part::rectangle("key", (0.0, 0.0), 2.0, 1.0).unwrap();
     let nest = nest(&sheet, &[(&block, Configuration::IDENTITY)], &key);
-    let tight = nest.tightest().unwrap();
+    let tight = nest.tightest(Point::ORIGIN).unwrap();
     assert!((tight.length - 4.0).abs() < 1e-9, "{tight:?}");
     let middle = Point::new(-2.5 * sin, 2.5 * cos);
     assert_at(&tight, (middle.x, middle.y, 0.3));
@@ -170,7 +170,7 @@ fn arcs_nest_in_arcs() {
     let half = Part::new("half", vec![half]).unwrap();
     let sheet = Part::rectangle("sheet", (0.0, 3.0), 8.0, 6.0).unwrap();
     let tight = nest(&sheet, &[(&holder, Configuration::IDENTITY)], &half)
-        .tightest()
+        .tightest(Point::ORIGIN)
         .unwrap();
     assert!((tight.length - PI).abs() < 1e-9, "{tight:?}");
     assert_at(&tight, (0.0, 2.0, 0.0));
@@ -193,7 +193,9 @@ fn nowhere_is_it_tighter() {
             random(&mut rng),
         );
         let placed = [(&other, at(0.3, -0.4, rng.random_range(0.0..TAU)))];
-        let found = nest(&sheet, &placed, &part).tightest().unwrap();
+        let found = nest(&sheet, &placed, &part)
+            .tightest(Point::ORIGIN)
+            .unwrap();
         let moved = |of: &Part, c: Configuration| -> Vec<cspace::Edge> {
             of.edges()
                 .map(|e| e.placed(|p| c.fixed_from_moving(p)))
@@ -251,6 +253,32 @@ fn nowhere_is_it_tighter() {
     }
 }
 
+/// Only at single orientations, or in a window.
+#[test]
+fn orientations_are_limited() {
+    let sheet = Part::rectangle("sheet", (2.0, 2.0), 4.0, 4.0).unwrap();
+    let bar = Part::rectangle("bar", (0.0, 0.0), 3.0, 1.0).unwrap();
+    let at_these = |thetas: Vec<f64>| {
+        let these = Orientations::These(thetas);
+        Nest::new(&sheet, &[], &bar, these, &Silent).unwrap()
+    };
+    let upright = at_these(vec![0.3, FRAC_PI_2]);
+    let place = upright.tightest(Point::ORIGIN).unwrap();
+    assert_at(&place, (0.5, 1.5, FRAC_PI_2));
+    assert!((place.length - 4.0).abs() < 1e-9 && upright.space().is_none());
+    let place = upright.lowest(DOWN, Point::ORIGIN).unwrap();
+    let half = |theta: f64| 1.5 * theta.sin() + 0.5 * theta.cos();
+    assert!(
+        (place.at.y - half(0.3)).abs() < 1e-9 && place.at.theta == 0.3,
+        "{place:?}"
+    );
+    let window = Orientations::Window(0.2, 1.0);
+    let tilted = Nest::new(&sheet, &[], &bar, window, &Silent).unwrap();
+    let place = tilted.lowest(DOWN, Point::ORIGIN).unwrap();
+    assert!((place.at.y - half(0.2)).abs() < 1e-9, "{place:?}");
+    assert!(!at_these(vec![]).fits() && upright.fits());
+}
+
 #[test]
 fn what_fits_exactly_fits() {
     let sheet = Part::rectangle("sheet", (1.0, 0.5), 2.0, 1.0).unwrap();
@@ -263,7 +291,7 @@ fn what_fits_exactly_fits() {
     let found = nest(&sheet, &[], &larger);
     assert!(!found.fits());
     assert_eq!(found.lowest(DOWN, Point::ORIGIN), None);
-    assert_eq!(found.tightest(), None);
+    assert_eq!(found.tightest(Point::ORIGIN), None);
     let disc = Part::circle("disc", (0.0, 0.0), 0.5).unwrap();
     let place = nest(&sheet, &[], &disc)
         .lowest(DOWN, Point::ORIGIN)
@@ -278,7 +306,7 @@ fn placed_parts_overlap_neither_each_other_nor_the_outside() {
     let sheet = Part::rectangle("sheet", (0.0, 0.0), 4.0, 4.0).unwrap();
     let tile = Part::rectangle("tile", (0.0, 0.0), 1.0, 1.0).unwrap();
     let of = |placed: &[(&Part, Configuration)]| {
-        Nest::new(&sheet, placed, &tile, None, &Silent)
+        Nest::new(&sheet, placed, &tile, Orientations::All, &Silent)
             .map(|_| ())
             .unwrap_err()
     };

@@ -1,0 +1,128 @@
+"""Where a part goes in a container among placed parts, at any orientation."""
+
+import os
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from . import _rust
+from ._arrays import configuration, position, window
+from ._errors import Error
+from ._loops import Loops
+from ._nest import _part, _spaced
+from ._part import Part
+from ._results import Region
+from ._space import ContactSpace
+
+
+def _placed(name: str, placed: Any) -> list[tuple[Part, tuple[float, float, float]]]:
+    """Parts with their configurations; a part or a place alone is where it is drawn."""
+    if isinstance(placed, (Part, Place)):
+        placed = [placed]
+    pairs = []
+    try:
+        for one in placed:
+            part, at = (one, (0.0, 0.0, 0.0)) if isinstance(one, Part) else one
+            pairs.append((_part(name, part), configuration(name, at)))
+    except (TypeError, ValueError) as error:
+        if isinstance(error, Error):
+            raise
+        raise Error(f"`{name}` is no list of parts, or of placed parts [(part, (x, y, theta)), ...]") from None
+    return pairs
+
+
+@dataclass(frozen=True)
+class Place:
+    """A place of a part in a container.
+
+    `touching` has what touches there: the number of the placed part, or None of the container, the name of its feature, and that of the
+    part's. `length` is how much of the part's outline lies flush. `part` is the part as drawn there.
+    """
+
+    at: tuple[float, float, float]
+    touching: tuple[tuple[int | None, str, str], ...]
+    length: float
+    part: Part
+
+
+class Fit:
+    """A part in a container beside placed parts, over all orientations: true if it fits somewhere, with room or exactly.
+
+    >>> tray = Part.rectangle(4, 2, name="tray")
+    >>> tile = Part.rectangle(2, 1, name="tile")
+    >>> last = fit(tray, [(tile, (-1, -0.5, 0)), (tile, (1, -0.5, 0)), (tile, (1, 0.5, 0))], tile)
+    >>> bool(last), [round(x, 9) for x in last.lowest().at]
+    (True, [-1.0, 0.5, 0.0])
+    """
+
+    __slots__ = ("_fit", "part", "space")
+
+    #: The part.
+    part: Part
+    #: The space of the walls, as one fixed part, and the part: what is outside of the container, up to a frame around it, and the placed
+    #: parts on layers of their own. With `spacing` the part in it is larger.
+    space: ContactSpace
+
+    def __init__(self, found: _rust.Fit, part: Part) -> None:
+        self._fit, self.part, self.space = found, part, ContactSpace(found.space())
+
+    def __bool__(self) -> bool:
+        return self._fit.fits()
+
+    @property
+    def regions(self) -> list[Region]:
+        """The free regions within the container. An exact fit has no room, and no region."""
+        return [region for region in self.space.regions if region.caged]
+
+    def lowest(self, direction: Sequence[float] = (0.0, -1.0), about: Sequence[float] | None = None) -> Place | None:
+        """The place at which a point of the part is farthest in a direction, over all orientations; None where it fits nowhere.
+
+        The point is `about`, in the part's frame, or its centroid. Of places that are as far, to the resolution, it is the farthest to the
+        right of the direction, and then the one with the least turn: for the default the lowest, and of these the leftmost.
+        """
+        x, y = position("direction", direction)
+        if not (x or y):
+            raise Error("`direction` has no length: (0, -1) is down")
+        return self._place(self._fit.lowest((x, y), None if about is None else position("about", about)))
+
+    def tightest(self) -> Place | None:
+        """The place at which the greatest length of the part's outline lies flush on the container and the placed parts: line on line, or
+        arc in an arc of the same radius. Of several it is the lowest, and then the leftmost. Where nothing can lie flush it is the lowest
+        place; None where the part fits nowhere.
+
+        With `spacing` it is the outline at that distance that lies flush.
+        """
+        return self._place(self._fit.tightest())
+
+    def _place(self, found: Any) -> Place | None:
+        if found is None:
+            return None
+        at, touching, length = found
+        moved = Part(Loops(self.part.loops).moved(*at).tolist(), name=self.part.name)
+        return Place(at, tuple(touching), length, moved)
+
+    def __repr__(self) -> str:
+        return f"Fit({self.part.name!r}, {len(self.regions)} regions)"
+
+
+def fit(
+    container: Part, placed: Any, part: Part, spacing: float = 0.0, window: Sequence[float] | None = None
+) -> Fit:
+    """Where a part goes in a container, outside of its holes and beside placed parts, at any orientation, or at those of a `window` (lo, hi)
+    in radians.
+
+    `placed` is a list of parts as drawn, or of placed parts (part, (x, y, theta)); they may touch each other and the container. With
+    `spacing` the part stays so far from them, and from the container.
+    """
+    limits = None if window is None else _window("window", window)
+    pairs = [(one._part, at) for one, at in _placed("placed", placed)]
+    grown = _spaced(_part("part", part), spacing)
+    return Fit(_rust.Fit(_part("container", container)._part, pairs, part._part, grown._part, limits), part)
+
+
+def write_dxf(path: str | os.PathLike[str], parts: Any, unit: str | None = None) -> None:
+    """Writes parts as a DXF file, arcs as arcs, each on a layer of its own: a list of parts as drawn, or of placed parts
+    (part, (x, y, theta)). `unit` is the drawing's, such as "mm"."""
+    text = _rust._dxf([(one._part, at) for one, at in _placed("parts", parts)], unit)
+    with open(path, "w", encoding="ascii", newline="\n") as file:
+        file.write(text)
