@@ -36,6 +36,7 @@ from ._results import (
     Table,
     Tolerances,
 )
+from ._fit import Fit, Place, fit, write_dxf
 from ._rust import VERSION as __version__
 from ._space import ContactSpace, compute
 from ._sweep import monte_carlo, sweep
@@ -55,6 +56,7 @@ __all__ = [
     "FREE",
     "Feature",
     "FeaturePair",
+    "Fit",
     "InternalError",
     "Loops",
     "Model",
@@ -62,6 +64,7 @@ __all__ = [
     "Nearest",
     "Part",
     "Patch",
+    "Place",
     "Plan",
     "Play",
     "Record",
@@ -73,6 +76,7 @@ __all__ = [
     "answers",
     "compute",
     "distributions",
+    "fit",
     "inner_fit",
     "monte_carlo",
     "nfp",
@@ -81,6 +85,7 @@ __all__ = [
     "set_threads",
     "simulate",
     "sweep",
+    "write_dxf",
 ]
 
 

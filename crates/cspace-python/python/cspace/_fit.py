@@ -5,8 +5,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from numpy.typing import ArrayLike
+
 from . import _rust
-from ._arrays import configuration, position, window
+from ._arrays import angle, column, configuration, position
+from ._arrays import window as window_of
 from ._errors import Error
 from ._loops import Loops
 from ._nest import _part, _spaced
@@ -16,18 +19,16 @@ from ._space import ContactSpace
 
 
 def _placed(name: str, placed: Any) -> list[tuple[Part, tuple[float, float, float]]]:
-    """Parts with their configurations; a part or a place alone is where it is drawn."""
-    if isinstance(placed, (Part, Place)):
-        placed = [placed]
+    """Parts with their configurations, a part by itself as it is drawn."""
+    if isinstance(placed, Part) or not hasattr(placed, "__iter__"):
+        raise Error(f"`{name}` is {placed!r}: give a list of parts, or of placed parts [(part, (x, y, theta)), ...]")
     pairs = []
-    try:
-        for one in placed:
-            part, at = (one, (0.0, 0.0, 0.0)) if isinstance(one, Part) else one
-            pairs.append((_part(name, part), configuration(name, at)))
-    except (TypeError, ValueError) as error:
-        if isinstance(error, Error):
-            raise
-        raise Error(f"`{name}` is no list of parts, or of placed parts [(part, (x, y, theta)), ...]") from None
+    for one in placed:
+        if isinstance(one, Part):
+            one = (one, (0.0, 0.0, 0.0))
+        if not isinstance(one, (tuple, list)) or len(one) != 2:
+            raise Error(f"`{name}` has {one!r}: give a part, or a placed part (part, (x, y, theta))")
+        pairs.append((_part(name, one[0]), configuration(name, one[1])))
     return pairs
 
 
@@ -55,16 +56,19 @@ class Fit:
     (True, [-1.0, 0.5, 0.0])
     """
 
-    __slots__ = ("_fit", "part", "space")
-
-    #: The part.
-    part: Part
-    #: The space of the walls, as one fixed part, and the part: what is outside of the container, up to a frame around it, and the placed
-    #: parts on layers of their own. With `spacing` the part in it is larger.
-    space: ContactSpace
+    __slots__ = ("_fit", "_space", "part")
 
     def __init__(self, found: _rust.Fit, part: Part) -> None:
-        self._fit, self.part, self.space = found, part, ContactSpace(found.space())
+        space = found.space()
+        self._fit, self._space, self.part = found, None if space is None else ContactSpace(space), part
+
+    @property
+    def space(self) -> ContactSpace:
+        """The space of the walls, as one fixed part, and the part: what is outside of the container, up to a frame around it, and the placed
+        parts, on layers where they touch. With `spacing` the part in it is larger. There is none of single `orientations`."""
+        if self._space is None:
+            raise Error("there is no space of single orientations: leave `orientations` out")
+        return self._space
 
     def __bool__(self) -> bool:
         return self._fit.fits()
@@ -102,22 +106,32 @@ class Fit:
         return Place(at, tuple(touching), length, moved)
 
     def __repr__(self) -> str:
-        return f"Fit({self.part.name!r}, {len(self.regions)} regions)"
+        return f"Fit({self.part.name!r}, {'fits' if self else 'does not fit'})"
 
 
 def fit(
-    container: Part, placed: Any, part: Part, spacing: float = 0.0, window: Sequence[float] | None = None
+    container: Part,
+    placed: Any,
+    part: Part,
+    spacing: float = 0.0,
+    window: Sequence[float] | None = None,
+    orientations: ArrayLike | None = None,
 ) -> Fit:
-    """Where a part goes in a container, outside of its holes and beside placed parts, at any orientation, or at those of a `window` (lo, hi)
-    in radians.
+    """Where a part goes in a container, outside of its holes and beside placed parts: at any orientation, at those of a `window` (lo, hi), or
+    at single `orientations`, in radians.
 
-    `placed` is a list of parts as drawn, or of placed parts (part, (x, y, theta)); they may touch each other and the container. With
-    `spacing` the part stays so far from them, and from the container.
+    `placed` is a list of parts as they are drawn, or of placed parts (part, (x, y, theta)); they may touch each other and the container.
+    With `spacing` the part stays so far from them, and from the container.
     """
-    limits = None if window is None else _window("window", window)
+    if window is not None and orientations is not None:
+        raise Error("`window` and `orientations` are both given")
+    these = None
+    if orientations is not None:
+        these = [angle("orientations", theta) for theta in column("orientations", orientations).ravel().tolist()]
     pairs = [(one._part, at) for one, at in _placed("placed", placed)]
     grown = _spaced(_part("part", part), spacing)
-    return Fit(_rust.Fit(_part("container", container)._part, pairs, part._part, grown._part, limits), part)
+    outer = _part("container", container)._part
+    return Fit(_rust.Fit(outer, pairs, part._part, grown._part, window_of(window), these), part)
 
 
 def write_dxf(path: str | os.PathLike[str], parts: Any, unit: str | None = None) -> None:
