@@ -34,6 +34,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod error;
 mod flush;
 mod touching;
 mod walls;
@@ -44,71 +45,28 @@ use core::f64::consts::TAU;
 
 use cspace::pair::touching_features;
 use cspace::{
-    Configuration, CurveGeometry, Edge, FeatureName, NoFit, Options, PairError, PairSpace, Part,
-    PartError, Point, Progress, Relation, Slice, Vector,
+    Configuration, CurveGeometry, Edge, FeatureName, NoFit, Options, PairSpace, Part, Point,
+    Progress, Relation, Slice, Vector,
 };
 
 use crate::exact_fit::touching_distance;
+use crate::legs::Scene;
 
 use flush::Flush;
-use walls::Walls;
+use walls::{CLOSE, Walls};
 
+pub use error::NestError;
 pub use walls::Owner;
 
 /// Down.
 const DOWN: Vector = Vector { x: 0.0, y: -1.0 };
-
-/// Reasons for which nothing is known of a part in a container.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-#[non_exhaustive]
-pub enum NestError {
-    /// A placed part is not within the container.
-    #[error("the placed part {number}, counted from 0, overlaps the outside of the container")]
-    Outside {
-        /// Its number.
-        number: usize,
-    },
-    /// Two placed parts overlap.
-    #[error("the placed parts {first} and {second} overlap, counted from 0")]
-    Overlap {
-        /// Number of the first of them.
-        first: usize,
-        /// Number of the second.
-        second: usize,
-    },
-    /// A part is not flat.
-    #[error("{part:?} has layers: give its outline at the height at which it is to be placed")]
-    Layers {
-        /// Its name.
-        part: String,
-    },
-    /// The walls are no part.
-    #[error(transparent)]
-    Part(#[from] PartError),
-    /// The space cannot be computed.
-    #[error(transparent)]
-    Space(#[from] PairError),
-}
-
-impl NestError {
-    /// Two of the container and the placed parts overlap, which are numbered from 0 and from 1.
-    fn overlap(first: usize, second: usize) -> Self {
-        match first {
-            0 => Self::Outside { number: second - 1 },
-            _ => Self::Overlap {
-                first: first - 1,
-                second: second - 1,
-            },
-        }
-    }
-}
 
 /// A place of the part.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Place {
     /// The configuration.
     pub at: Configuration,
-    /// What touches: whose feature, its name there, and the feature of the part.
+    /// Contacts: whose feature touches, its name there, and the feature of the part.
     pub touching: Vec<(Owner, FeatureName, FeatureName)>,
     /// The length of the part's outline that lies flush, in the model's unit.
     pub length: f64,
@@ -119,7 +77,7 @@ pub struct Place {
 pub enum Orientations {
     /// All of a turn.
     All,
-    /// Those from the first to the second.
+    /// A window from the first to the second.
     Window(f64, f64),
     /// These alone: no contact space is computed.
     These(Vec<f64>),
@@ -139,7 +97,8 @@ pub struct Nest {
     no_fit: OnceLock<NoFit>,
     /// The orientations at which the part lies flush.
     flush: OnceLock<Vec<Flush>>,
-    /// What is nearer touches, in the model's unit of length.
+    scene: OnceLock<Scene>,
+    /// Distance within which features touch, in the model's unit of length.
     touch: f64,
 }
 
@@ -189,6 +148,7 @@ impl Nest {
             orientations,
             no_fit: OnceLock::new(),
             flush: OnceLock::new(),
+            scene: OnceLock::new(),
             touch,
         })
     }
@@ -222,7 +182,9 @@ impl Nest {
             Some(PairSpace::Planar(space)) => space.farthest(unit, about),
             _ => None,
         };
-        let roomy = roomy.map(|f| f.configuration);
+        let roomy = roomy
+            .map(|f| f.configuration)
+            .filter(|at| self.touches(*at));
         let mut thetas = self.exact();
         thetas.extend(
             roomy
@@ -268,11 +230,11 @@ impl Nest {
                 .map(|p| Configuration::new(p.x, p.y, theta));
             for at in places(&positions, DOWN).chain(corners) {
                 let length = touching::length(&self.edges, &self.moving, at, self.touch);
-                if length > longest + self.touch {
-                    (longest, best) = (length, None);
-                }
-                if length > 0.0 && length >= longest - self.touch {
-                    self.keep(&mut best, rank(DOWN, about, at), at);
+                let rank = rank(DOWN, about, at);
+                if length > longest + self.touch && self.touches(at) {
+                    (longest, best) = (length, Some((rank, at)));
+                } else if length > 0.0 && length >= longest - self.touch {
+                    self.keep(&mut best, rank, at);
                 }
             }
         }
@@ -290,9 +252,16 @@ impl Nest {
                 .find(|more| more.abs() > self.touch);
             more.is_some_and(|more| more > 0.0)
         });
-        if is_better {
+        if is_better && self.touches(at) {
             *best = Some((rank, at));
         }
+    }
+
+    /// Whether the part touches walls at a configuration and overlaps none: slices that are in doubt may have other places.
+    fn touches(&self, at: Configuration) -> bool {
+        let scene = (self.scene).get_or_init(|| Scene::new(&self.walls.part, &self.moving, None));
+        let depth = CLOSE * self.walls.part.size().max(self.moving.size());
+        scene.touches([at.x, at.y, at.theta], depth)
     }
 
     fn place(&self, at: Configuration) -> Place {

@@ -18,7 +18,7 @@ pub(super) fn length(walls: &[Edge], moving: &Part, at: Configuration, touch: f6
     sum
 }
 
-/// Of lines in opposite directions, seen along the wall: where both are, if both ends of that stretch are on the wall.
+/// The length that two lines in opposite directions share, seen along the wall, if both ends of that stretch are on the wall.
 fn of_lines(own: Edge, wall: Edge, touch: f64) -> f64 {
     let along = (wall.end - wall.start).unit();
     let place = |p| along.dot(p - wall.start);
@@ -35,7 +35,7 @@ fn of_lines(own: Edge, wall: Edge, touch: f64) -> f64 {
     }
 }
 
-/// Of arcs about one centre, of opposite radii: the angle that both span.
+/// The length of the angle that two arcs about one centre, of opposite radii, both span.
 fn of_arcs(own: Edge, wall: Edge, touch: f64) -> f64 {
     use core::f64::consts::TAU;
     let (r, s) = (own.signed_radius(), wall.signed_radius());

@@ -1,4 +1,4 @@
-//! What a part is placed among, as one part: the outside of a container, and parts that are placed in it.
+//! The walls that a part is placed among, as one part: the outside of a container, and parts that are placed in it.
 //!
 //! Placed parts touch each other and the container, which loops of one outline may not. So those that touch are on different layers of the
 //! one part, all at every height.
@@ -8,15 +8,15 @@ use cspace::{Configuration, FeatureName, Part, Vertex};
 
 use crate::legs::Scene;
 
-use super::NestError;
+use super::error::NestError;
 
 /// Parts nearer than this share of their size are on different layers, and those that overlap by less touch: as much counts as fitting
 /// for [`NoFit`](cspace::NoFit).
-const CLOSE: f64 = 1e-9;
+pub(super) const CLOSE: f64 = 1e-9;
 /// The frame around the container is as wide as this many sizes of the part, which then is on one side of it.
 const WIDTH: f64 = 2.0;
 
-/// What a feature of the walls belongs to.
+/// The owner of a feature of the walls.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Owner {
     /// The container.
@@ -91,7 +91,7 @@ impl Walls {
         self.owners.get(loop_index).is_some_and(Option::is_some)
     }
 
-    /// What a feature belongs to, and its name there; `None` of the frame around the container.
+    /// The owner of a feature, and its name there; `None` of the frame around the container.
     pub(super) fn owner(&self, name: FeatureName) -> Option<(Owner, FeatureName)> {
         let &(owner, loop_index) = self.owners.get(name.loop_index as usize)?.as_ref()?;
         Some((owner, FeatureName { loop_index, ..name }))
@@ -110,7 +110,7 @@ fn moved(part: &Part, at: Configuration) -> Vec<Vec<Vertex>> {
         .collect()
 }
 
-/// What is outside of a container, up to a rectangle around it.
+/// The outside of a container, up to a rectangle around it.
 fn framed(container: &Part, width: f64) -> Result<Part, NestError> {
     let (lo, hi) = (container.bounds().min, container.bounds().max);
     let around = polygon_loop(&[

@@ -16,14 +16,10 @@ use crate::contact::{Carrier, Spiral};
 use crate::feature::tolerance::CONTACT;
 use crate::geometry::{Configuration, Point, Rotation, Vector, wrap};
 use crate::ids::PatchId;
-use crate::number::{Ball, Dual, Real, SecondOrder, halved};
+use crate::number::{Ball, Dual, NARROWEST, Real, SecondOrder, halved};
 use crate::space::{Boundary, ContactSpace, Patch};
 
 use super::Classification;
-
-/// Length below which an interval is not halved (radians, about 5.7e-14): over a shorter one a boundary curve moves by less than
-/// [`CONTACT`], or begins at a tangency, where its end is looked at by itself.
-const NARROWEST: f64 = 1.0 / (1u64 << 44) as f64;
 
 /// The farthest configuration, and how far it is.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -40,7 +36,7 @@ impl ContactSpace {
     /// The configuration at which a point `about` of the moving part, in its frame, is farthest in a direction, among all of the closed
     /// free regions that end everywhere; `None` without such regions, and for a direction without length.
     ///
-    /// Of configurations that are as far, to the [resolution](Self::resolution), it is the one that is farthest to the right of the
+    /// Among configurations that are as far, to the [resolution](Self::resolution), it is the one that is farthest to the right of the
     /// direction: for downwards the lowest and then the leftmost. Of those it is the one with the least turn. Where the point stays as far
     /// along all of a patch, as the centre of an arc that rolls on a floor, the whole patch is looked at; configurations beside a
     /// smooth top that are as far only to the resolution are not.
