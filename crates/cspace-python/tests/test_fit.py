@@ -1,5 +1,6 @@
 """Places of a part in a container among others, at any orientation."""
 
+import itertools
 import math
 import pathlib
 import runpy
@@ -127,9 +128,22 @@ def test_the_example_nests(tmp_path, capsys):
     example = runpy.run_path(str(EXAMPLES / "nest.py"))
     out = tmp_path / "nest.dxf"
     heights = example["main"](["--parts", "6", "--width", "110", "-o", str(out)])
-    assert heights["any"] > 0 and "quarter turns" in capsys.readouterr().out
-    lowest = min(heights.values())
-    whole = [part for part in (cs.Part.from_dxf(out, layer=name) for name in example["COUNTS"])]
-    assert max(part.bounds[3] for part in whole) == pytest.approx(lowest, abs=1e-9)
+    assert "quarter turns" in capsys.readouterr().out
+    written = [cs.Part.from_dxf(out, layer=name) for name in example["COUNTS"]]
+    assert max(part.bounds[3] for part in written) == pytest.approx(min(heights.values()), abs=1e-9)
     drawn = example["parts"](EXAMPLES / "nest.dxf", 6)
-    assert sum(part.area for part in whole) == pytest.approx(sum(part.area for part in drawn), rel=1e-12)
+    assert sum(part.area for part in written) == pytest.approx(sum(part.area for part in drawn), rel=1e-12)
+
+
+def test_the_whole_example_is_apart(capsys):
+    """Spaced parts have arcs about the corners of others, of which many touch in the same places."""
+    pytest.importorskip("shapely")
+    example = runpy.run_path(str(EXAMPLES / "nest.py"))
+    queue, spacing, fine = example["parts"](EXAMPLES / "nest.dxf", 20), 2.0, 1e-4
+    sheet = cs.Part.rectangle(200, 400, center=(100, 200), name="sheet")
+    placed = example["nest"](sheet, queue, spacing, None)
+    shapes = [part.to_shapely(fine) for part in placed]
+    nearest = min(a.distance(b) for a, b in itertools.combinations(shapes, 2))
+    assert nearest == pytest.approx(spacing, abs=2 * fine)
+    assert all(sheet.to_shapely(fine).buffer(2 * fine - spacing).contains(shape) for shape in shapes)
+    assert len(placed) == 20 and max(part.bounds[3] for part in placed) < 163
