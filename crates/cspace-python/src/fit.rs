@@ -27,9 +27,9 @@ pub(crate) struct Fit {
 #[pymethods]
 impl Fit {
     /// The part `moving` is `part`, or that grown by a spacing.
-    #[new]
+    #[staticmethod]
     #[pyo3(signature = (container, placed, part, moving, window, orientations))]
-    fn new(
+    fn _of(
         py: Python<'_>,
         container: &Part,
         placed: Vec<(PyRef<'_, Part>, (f64, f64, f64))>,

@@ -131,7 +131,7 @@ def fit(
     pairs = [(one._part, at) for one, at in _placed("placed", placed)]
     grown = _spaced(_part("part", part), spacing)
     outer = _part("container", container)._part
-    return Fit(_rust.Fit(outer, pairs, part._part, grown._part, window_of(window), these), part)
+    return Fit(_rust.Fit._of(outer, pairs, part._part, grown._part, window_of(window), these), part)
 
 
 def write_dxf(path: str | os.PathLike[str], parts: Any, unit: str | None = None) -> None:
