@@ -6,12 +6,16 @@ use cspace::{Configuration, FeatureName, Point, Relation, Vector};
 use cspace_plan::nest::{Nest, Orientations, Owner, Place};
 use pyo3::prelude::*;
 
-use crate::part::Part;
+use crate::part::{Part, Told as ToldFeature, told};
 use crate::space::{Pair, Space};
 use crate::work;
 
 /// A configuration, what touches (the number of a placed part, or none of the container; features of it and of the part), and a length.
-type Told = ((f64, f64, f64), Vec<(Option<usize>, String, String)>, f64);
+type Told = (
+    (f64, f64, f64),
+    Vec<(Option<usize>, ToldFeature, ToldFeature)>,
+    f64,
+);
 
 /// A part, and what it is to be placed among.
 #[pyclass(frozen, module = "cspace._rust")]
@@ -109,8 +113,7 @@ impl Fit {
                 Owner::Container => (None, &self.container),
                 Owner::Placed(i) => (Some(i), &self.placed[i]),
             };
-            let own = self.nest.moving().feature_text(own);
-            (number, part.feature_text(wall), own)
+            (number, told(part, wall), told(self.nest.moving(), own))
         };
         let Configuration { x, y, theta } = place.at;
         let touching = place.touching.into_iter().map(text).collect();

@@ -23,6 +23,7 @@ def test_the_lowest_is_flat_in_the_left_corner():
     assert place.part.bounds == pytest.approx((0, 0, 3, 1), abs=1e-12) and place.part.name == "bar"
     assert {owner for owner, _, _ in place.touching} == {None}
     assert {own for _, _, own in place.touching} >= {"vertex 0 of loop 0", "vertex 1 of loop 0"}
+    assert {wall.kind for _, wall, _ in place.touching} == {"line"}
     assert found.space.classify(np.add(place.at, (1e-6, 1e-6, 0))) == cs.FREE
     # In another direction, of another point: up and, seen so, to the right.
     top = found.lowest((0, 1), about=(1.5, 0))

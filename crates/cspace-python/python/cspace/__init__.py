@@ -15,6 +15,7 @@ from . import _rust, answers, distributions
 from ._classes import Class
 from ._errors import Error, InternalError
 from ._features import Feature, FeaturePair
+from ._fit import Fit, Place, fit, write_dxf
 from ._loops import Loops
 from ._model import Model
 from ._nest import inner_fit, nfp, separation
@@ -36,7 +37,6 @@ from ._results import (
     Table,
     Tolerances,
 )
-from ._fit import Fit, Place, fit, write_dxf
 from ._rust import VERSION as __version__
 from ._space import ContactSpace, compute
 from ._sweep import monte_carlo, sweep

@@ -11,7 +11,7 @@ from . import _rust
 from ._arrays import angle, column, configuration, position
 from ._arrays import window as window_of
 from ._errors import Error
-from ._loops import Loops
+from ._features import Feature
 from ._nest import _part, _spaced
 from ._part import Part
 from ._results import Region
@@ -36,12 +36,16 @@ def _placed(name: str, placed: Any) -> list[tuple[Part, tuple[float, float, floa
 class Place:
     """A place of a part in a container.
 
-    `touching` has what touches there: the number of the placed part, or None of the container, the name of its feature, and that of the
-    part's. `length` is how much of the part's outline lies flush. `part` is the part as drawn there.
+    `touching` has what touches there: the number of the placed part, or None of the container, its feature, and the part's. `length` is
+    how much of the part's outline lies flush. `part` is the part as drawn there.
+
+    >>> place = cs.fit(cs.Part.rectangle(8, 8), [], cs.Part.rectangle(3, 1)).lowest()
+    >>> place.length, place.part.bounds, len(place.touching)
+    (4.0, (-4.0, -4.0, -1.0, -3.0), 4)
     """
 
     at: tuple[float, float, float]
-    touching: tuple[tuple[int | None, str, str], ...]
+    touching: tuple[tuple[int | None, Feature, Feature], ...]
     length: float
     part: Part
 
@@ -49,9 +53,8 @@ class Place:
 class Fit:
     """A part in a container beside placed parts, over all orientations: true if it fits somewhere, with room or exactly.
 
-    >>> tray = Part.rectangle(4, 2, name="tray")
-    >>> tile = Part.rectangle(2, 1, name="tile")
-    >>> last = fit(tray, [(tile, (-1, -0.5, 0)), (tile, (1, -0.5, 0)), (tile, (1, 0.5, 0))], tile)
+    >>> tray, tile = cs.Part.rectangle(4, 2), cs.Part.rectangle(2, 1)
+    >>> last = cs.fit(tray, [(tile, (-1, -0.5, 0)), (tile, (1, -0.5, 0)), (tile, (1, 0.5, 0))], tile)
     >>> bool(last), [round(x, 9) for x in last.lowest().at]
     (True, [-1.0, 0.5, 0.0])
     """
@@ -65,7 +68,11 @@ class Fit:
     @property
     def space(self) -> ContactSpace:
         """The space of the walls, as one fixed part, and the part: what is outside of the container, up to a frame around it, and the placed
-        parts, on layers where they touch. With `spacing` the part in it is larger. There is none of single `orientations`."""
+        parts, on layers where they touch. With `spacing` the part in it is larger. There is none of single `orientations`.
+
+        >>> cs.fit(cs.Part.rectangle(8, 8), [], cs.Part.circle(1)).space.classify((0, 0, 0))
+        <Class.FREE: 0>
+        """
         if self._space is None:
             raise Error("there is no space of single orientations: leave `orientations` out")
         return self._space
@@ -75,7 +82,11 @@ class Fit:
 
     @property
     def regions(self) -> list[Region]:
-        """The free regions within the container. An exact fit has no room, and no region."""
+        """The free regions within the container. An exact fit has no room, and no region.
+
+        >>> len(cs.fit(cs.Part.rectangle(8, 8), [], cs.Part.circle(1)).regions)
+        1
+        """
         return [region for region in self.space.regions if region.caged]
 
     def lowest(self, direction: Sequence[float] = (0.0, -1.0), about: Sequence[float] | None = None) -> Place | None:
@@ -83,6 +94,9 @@ class Fit:
 
         The point is `about`, in the part's frame, or its centroid. Of places that are as far, to the resolution, it is the farthest to the
         right of the direction, and then the one with the least turn: for the default the lowest, and of these the leftmost.
+
+        >>> cs.fit(cs.Part.rectangle(8, 8), [], cs.Part.circle(1)).lowest().at
+        (-3.0, -3.0, 0.0)
         """
         x, y = position("direction", direction)
         if not (x or y):
@@ -95,6 +109,9 @@ class Fit:
         place; None where the part fits nowhere.
 
         With `spacing` it is the outline at that distance that lies flush.
+
+        >>> cs.fit(cs.Part.rectangle(8, 8), [], cs.Part.rectangle(3, 1)).tightest().length
+        4.0
         """
         return self._place(self._fit.tightest())
 
@@ -102,8 +119,8 @@ class Fit:
         if found is None:
             return None
         at, touching, length = found
-        moved = Part(Loops(self.part.loops).moved(*at).tolist(), name=self.part.name)
-        return Place(at, tuple(touching), length, moved)
+        contacts = tuple((owner, Feature(*wall), Feature(*own)) for owner, wall, own in touching)
+        return Place(at, contacts, length, self.part.moved(*at))
 
     def __repr__(self) -> str:
         return f"Fit({self.part.name!r}, {'fits' if self else 'does not fit'})"
@@ -122,6 +139,9 @@ def fit(
 
     `placed` is a list of parts as they are drawn, or of placed parts (part, (x, y, theta)); they may touch each other and the container.
     With `spacing` the part stays so far from them, and from the container.
+
+    >>> bool(cs.fit(cs.Part.rectangle(8, 8), [cs.Part.circle(3)], cs.Part.circle(1)))
+    False
     """
     if window is not None and orientations is not None:
         raise Error("`window` and `orientations` are both given")
@@ -136,7 +156,12 @@ def fit(
 
 def write_dxf(path: str | os.PathLike[str], parts: Any, unit: str | None = None) -> None:
     """Writes parts as a DXF file, arcs as arcs, each on a layer of its own: a list of parts as drawn, or of placed parts
-    (part, (x, y, theta)). `unit` is the drawing's, such as "mm"."""
+    (part, (x, y, theta)). `unit` is the drawing's, such as "mm".
+
+    >>> cs.write_dxf("two.dxf", [cs.Part.circle(2), (cs.Part.rectangle(4, 2, name="plate"), (9, 0, 0))], unit="mm")
+    >>> cs.Part.from_dxf("two.dxf", layer="plate").bounds
+    (7.0, -1.0, 11.0, 1.0)
+    """
     text = _rust._dxf([(one._part, at) for one, at in _placed("parts", parts)], unit)
     with open(path, "w", encoding="ascii", newline="\n") as file:
         file.write(text)
