@@ -3,7 +3,8 @@
 //! A contact space knows whether two configurations can be joined: they can if and only if they are in the same free region.
 //! [`Planner`] answers with a path whose legs are motions of constant rates, each with a clearance that is certain ([`legs`]), or
 //! with what keeps the two apart. [`proof`] writes the latter so that anyone can
-//! check it. [`modes`] are the free regions of three parts on fixed axes.
+//! check it. [`modes`] are the free regions of three parts on fixed axes, [`nest`] says where a
+//! part goes in a container.
 
 #![warn(clippy::print_stdout, clippy::print_stderr)]
 
@@ -20,6 +21,7 @@ mod farthest;
 pub mod fits;
 pub mod legs;
 pub mod modes;
+pub mod nest;
 mod off_contact;
 mod open;
 mod out;

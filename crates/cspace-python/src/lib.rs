@@ -5,7 +5,9 @@
 
 #![warn(clippy::print_stdout, clippy::print_stderr)]
 
+mod drawing;
 mod error;
+mod fit;
 mod model;
 mod nest;
 mod part;
@@ -21,12 +23,16 @@ mod work;
 #[pyo3::pymodule]
 mod _rust {
     #[pymodule_export]
+    use crate::fit::Fit;
+    #[pymodule_export]
     use crate::model::Model;
     #[pymodule_export]
     use crate::part::Part;
     #[pymodule_export]
     use crate::space::Space;
 
+    #[pymodule_export]
+    use crate::drawing::_dxf;
     #[pymodule_export]
     use crate::nest::{_beside, _separation, _within};
     #[pymodule_export]

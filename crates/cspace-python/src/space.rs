@@ -115,9 +115,9 @@ struct Known {
 }
 
 impl Known {
-    fn new(space: PairSpace) -> Self {
+    fn new(space: Arc<PairSpace>) -> Self {
         Self {
-            space: Arc::new(space),
+            space,
             classifier: OnceLock::new(),
             asked: AtomicU64::new(0),
         }
@@ -208,6 +208,14 @@ impl Space {
         }
     }
 
+    /// A space that is computed already.
+    pub(crate) fn of(pair: Pair, space: Arc<PairSpace>) -> Self {
+        Self {
+            known: OnceLock::from(Known::new(space)),
+            ..Self::later(pair)
+        }
+    }
+
     pub(crate) fn computed(py: Python<'_>, pair: Pair) -> PyResult<Self> {
         let this = Self::later(pair);
         this.known(py)?;
@@ -219,7 +227,7 @@ impl Space {
             return Ok(known);
         }
         let space = self.with_moving(py, self.pair.moving.clone())?;
-        Ok(self.known.get_or_init(|| Known::new(space)))
+        Ok(self.known.get_or_init(|| Known::new(Arc::new(space))))
     }
 
     /// The space with a moving part in place of the pair's.

@@ -29,12 +29,15 @@ line 0 of loop 0 is a line at (-5.0, -9.0)
 [{'play': 0.15
 the fork goes from -2.95 to 3.00, the cam turns by 3.1416
 of them have enough play 0
+roof [9. 0. 0.] 9.000 flush, 0 None
+drop [19.107  1.857 -0.381] 5.385 flush, 1 None
 Loops(1 loop, 2 vertices) [(150.0, 150.0), (250.0, 150.0)]
 (2.0, 2.0, 0)
 """
 
 
-def test_the_page_runs(capsys):
+def test_the_page_runs(capsys, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
     text = (ROOT / "docs" / "python.md").read_text(encoding="utf-8")
     programs = re.findall(r"```python\n(.*?)```", text, re.DOTALL)
     assert len(programs) >= 4

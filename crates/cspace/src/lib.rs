@@ -73,6 +73,7 @@
 //! | the patches, what is next to what, the free regions | [`PairSpace::patches`], [`links`](PairSpace::links), [`regions`](PairSpace::regions), [`bands`](PairSpace::bands) |
 //! | a patch's contact function, gradient, Hessian, touching points, derivatives by the drawing | [`PairPatch::contact`] |
 //! | all contacts at one orientation | [`Slice`] |
+//! | the farthest, such as the lowest, place over all orientations | [`ContactSpace::farthest`] |
 //! | where a part can be placed beside others or in a frame, including exact fits | [`NoFit`] |
 //! | millions of configurations | [`Classifier`] |
 //!
@@ -153,7 +154,7 @@ pub use part::{
     PartError, PartSymmetry, Vertex,
 };
 pub use query::{
-    Classification, FirstContact, Location, MotionError, MotionOutcome, NearestContact,
+    Classification, Farthest, FirstContact, Location, MotionError, MotionOutcome, NearestContact,
 };
 pub use slice::{CurveGeometry, Slice, SliceCurve};
 pub use space::{

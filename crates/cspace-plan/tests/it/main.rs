@@ -7,6 +7,7 @@ mod escape;
 mod involute;
 mod layers;
 mod modes;
+mod nest;
 mod proof;
 mod ranges;
 mod slide;

@@ -15,6 +15,7 @@ from . import _rust, answers, distributions
 from ._classes import Class
 from ._errors import Error, InternalError
 from ._features import Feature, FeaturePair
+from ._fit import Fit, Place, fit, write_dxf
 from ._loops import Loops
 from ._model import Model
 from ._nest import inner_fit, nfp, separation
@@ -55,6 +56,7 @@ __all__ = [
     "FREE",
     "Feature",
     "FeaturePair",
+    "Fit",
     "InternalError",
     "Loops",
     "Model",
@@ -62,6 +64,7 @@ __all__ = [
     "Nearest",
     "Part",
     "Patch",
+    "Place",
     "Plan",
     "Play",
     "Record",
@@ -73,6 +76,7 @@ __all__ = [
     "answers",
     "compute",
     "distributions",
+    "fit",
     "inner_fit",
     "monte_carlo",
     "nfp",
@@ -81,6 +85,7 @@ __all__ = [
     "set_threads",
     "simulate",
     "sweep",
+    "write_dxf",
 ]
 
 

@@ -98,6 +98,22 @@ class ContactSpace:
     def window(self) -> Any: ...
 
 
+class Fit:
+    """A part, and what it is to be placed among."""
+
+    def fits(self) -> Any:
+        """Whether the part fits somewhere."""
+
+    def lowest(self, direction: Any, about: Any = None) -> Any:
+        """The place at which a point of the part is farthest in a direction: the centroid without one."""
+
+    def space(self) -> Any:
+        """The space of the walls and the part; none of single orientations."""
+
+    def tightest(self) -> Any:
+        """The place at which most of the outline lies flush."""
+
+
 class Model:
     """A model of parts, with values for its parameters."""
 
@@ -225,6 +241,10 @@ def _connected(space: Any, start: Any, goal: Any) -> Any:
 def _crossings(space: Any, start: Any, by: Any) -> Any:
     """The contacts that a motion of constant rates from `start` by `by` comes through: for each its patch, the fraction of the displacement,
     the configuration, and whether it goes into blocked space there."""
+
+
+def _dxf(placed: Any, unit: Any = None) -> Any:
+    """The text of a DXF file with parts, each placed by a configuration and on a layer of its own."""
 
 
 def _ends(space: Any, patch: Any, thetas: Any) -> Any:

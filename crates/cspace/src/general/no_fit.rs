@@ -1,9 +1,9 @@
 //! Positions of a part at one orientation beside others without overlap, or within a frame.
 
 use crate::contact::{Bodies, Fit};
-use crate::geometry::{Configuration, Vector};
+use crate::geometry::{Configuration, Point, Vector};
 use crate::part::{Bounds, Part};
-use crate::slice::Slice;
+use crate::slice::{Slice, SliceCurve};
 
 use super::redrawn::AsDrawn;
 use super::slicer::Slicer;
@@ -35,8 +35,8 @@ use super::slicer::Slicer;
 pub struct NoFit {
     slicer: Slicer,
     drawn: AsDrawn,
-    /// Whether positions outside the frame are left out.
-    within: bool,
+    /// Where the middle of the moving part's box is when the part is within a frame.
+    within: Option<(Bounds, Point)>,
 }
 
 /// Reasons for which placed parts have no positions beside them.
@@ -59,7 +59,7 @@ pub enum NoFitError {
 impl NoFit {
     /// Positions of a part beside another.
     pub fn new(fixed: &Part, moving: &Part) -> Self {
-        Self::of(fixed, moving, false)
+        Self::of(fixed, moving)
     }
 
     /// Positions of a part beside several others, each placed by a configuration; these may touch each other.
@@ -84,22 +84,36 @@ impl NoFit {
                 }
             }
         }
-        Ok(Self::of(&Part::assembled("placed", placed), moving, false))
+        Ok(Self::of(&Part::assembled("placed", placed), moving))
     }
 
     /// Positions of a part within another, and outside the other's holes.
     pub fn within(container: &Part, moving: &Part) -> Self {
         // Frame so wide that the part cannot be on both sides of it.
         let frame = container.framing(2.0 * moving.size());
-        Self::of(&frame, moving, true)
+        Self::inside(&frame, moving)
     }
 
-    fn of(fixed: &Part, moving: &Part, within: bool) -> Self {
+    /// Positions of a part inside walls whose outermost loop is two sizes of the part or more outside of them.
+    pub fn inside(walls: &Part, moving: &Part) -> Self {
+        let (bounds, far) = (walls.bounds(), moving.size());
+        // A part that touches the loop from outside is within a size of it, and one inside two sizes from it.
+        let held = Bounds {
+            min: bounds.min + Vector::new(far, far),
+            max: bounds.max - Vector::new(far, far),
+        };
+        Self {
+            within: Some((held, moving.bounds().center())),
+            ..Self::of(walls, moving)
+        }
+    }
+
+    fn of(fixed: &Part, moving: &Part) -> Self {
         let slicer = Slicer::of_fit(fixed, moving, Fit::HasPlay);
         Self {
             drawn: AsDrawn::new(fixed, moving, slicer.frame()),
             slicer,
-            within,
+            within: None,
         }
     }
 
@@ -110,10 +124,10 @@ impl NoFit {
             return slice;
         };
         let slice = self.drawn.redrawn(&slice, &sliced);
-        if self.within {
-            return inside(&slice);
+        match self.within {
+            Some((held, middle)) => inside(&slice, held, middle),
+            None => slice,
         }
-        slice
     }
 
     /// The shortest translation to a position without overlap, zero if the configuration is one; `None` if there is no such position.
@@ -131,7 +145,7 @@ impl NoFit {
     pub fn least_separation(&self, at: Configuration) -> Option<Vector> {
         let (slice, p) = (self.at(at.theta), at.position());
         // Without curves all positions beside a part are free, and no position within a frame is.
-        let is_free = slice.is_free(p) && !(self.within && slice.curves.is_empty());
+        let is_free = slice.is_free(p) && !(self.within.is_some() && slice.curves.is_empty());
         if is_free {
             return Some(Vector::ZERO);
         }
@@ -139,18 +153,15 @@ impl NoFit {
     }
 }
 
-/// A slice without its outermost loop.
-fn inside(slice: &Slice) -> Slice {
-    let size = |indices: &[u32]| {
-        let curves = slice.along(indices).map(|c| c.geometry.bounds());
-        curves.fold(Bounds::EMPTY, Bounds::union).diagonal()
+/// The loops of a slice at which the middle of the moving part is held in a box.
+fn inside(slice: &Slice, held: Bounds, middle: Point) -> Slice {
+    let is_held = |curve: SliceCurve| {
+        let p = curve.geometry.point(0.0);
+        let at = Configuration::new(p.x, p.y, slice.theta).fixed_from_moving(middle);
+        !held.is_apart(Bounds::of(at, at), 0.0)
     };
-    let mut loops: Vec<&Vec<u32>> = slice.loops.iter().collect();
-    let outermost = (0..loops.len()).max_by(|&a, &b| size(loops[a]).total_cmp(&size(loops[b])));
-    if let Some(outermost) = outermost {
-        loops.remove(outermost);
-    }
-    let loops = loops.into_iter().map(|l| slice.along(l).collect());
+    let loops = slice.loops.iter().map(|l| slice.along(l).collect());
+    let loops = loops.filter(|l: &Vec<SliceCurve>| l.iter().copied().all(is_held));
     Slice::of_loops(slice.theta, loops.collect(), slice.doubtful)
 }
 

@@ -291,6 +291,18 @@ impl<const N: usize, T: Real> Real for SecondOrder<N, T> {
     fn value(self) -> f64 {
         self.value.value()
     }
+    #[inline]
+    fn spread(self) -> f64 {
+        self.value.spread()
+    }
+    #[inline]
+    fn unknown(self) -> Self {
+        Self {
+            value: self.value.unknown(),
+            gradient: self.gradient.map(Real::unknown),
+            hessian: self.hessian.map(|row| row.map(Real::unknown)),
+        }
+    }
     /// r = √a has the derivatives r′ = a′ / 2r and (a″ / 2 − r′ r′) / r.
     #[inline]
     fn sqrt(self) -> Self {

@@ -9,7 +9,7 @@ const ACCURACY: f64 = 1.0 / (1u64 << 37) as f64;
 const SHARE: f64 = 1e-12;
 /// Length below which intervals are not halved (radians, or lengths of a pair's frame, about 5.7e-14): over a shorter one, distances change
 /// by less than [`ACCURACY`], and a value hidden by rounding, as where a curve begins, is not revealed by halving.
-const NARROWEST: f64 = 1.0 / (1u64 << 44) as f64;
+pub(crate) const NARROWEST: f64 = 1.0 / (1u64 << 44) as f64;
 
 /// A non-negative function, with bounds over intervals.
 pub(crate) trait Bounded {

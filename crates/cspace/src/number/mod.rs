@@ -13,7 +13,7 @@ pub use ball::Ball;
 pub(crate) use dd::Dd;
 pub use dual::{Dual, SecondOrder};
 pub(crate) use expansion::Expansion;
-pub(crate) use least::{Bounded, halved, least};
+pub(crate) use least::{Bounded, NARROWEST, halved, least};
 pub(crate) use polynomial::TrigPolynomial;
 pub(crate) use real::Ordered;
 pub use real::Real;

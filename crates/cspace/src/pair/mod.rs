@@ -26,7 +26,7 @@ pub use graph::{LinkKind, PairLink, PairRegion};
 pub use ids::FeatureId;
 pub use lower::{Joint, LowerPair, PermanentContact, PermanentKind};
 pub use motion::{SmoothMotion, SmoothOutcome};
-pub use near::NearFeatures;
+pub use near::{NearFeatures, touching_features};
 pub use patch::{ByDrawing, ByVertex, FeatureContact, PairPatch};
 pub use project::{Metric, Projection};
 pub use relation::{Coordinates, PairClass, Relation};

@@ -78,30 +78,50 @@ impl PairSpace {
             Classification::Blocked => within + slack,
             Classification::Contact | Classification::Free => beyond,
         };
-        let sought = Sought {
-            meeting: MeetingLoops::of(&LoopHeights::of(fixed), &LoopHeights::of(moving)),
-            within,
-            deepest,
-            beyond,
-            slack,
-        };
-        // Parts may be drawn far away: all is computed relative to the fixed part's centre.
-        let center = frame.fixed_center.to_vector();
-        let mut found = sought.among(
-            &features(fixed, frame.fixed_center, Configuration::default()),
-            &features(moving, frame.moving_center, about_centers(&frame, placed)),
-        );
-        for near in &mut found {
-            near.touching.on_fixed += center;
-            near.touching.on_moving += center;
-        }
-        found.sort_by(|a, b| {
-            let nearer = a.distance.abs().total_cmp(&b.distance.abs());
-            let names = |f: &NearFeatures| (f.fixed.name, f.moving.name);
-            nearer.then(names(a).cmp(&names(b)))
-        });
-        Ok(found)
+        Ok(near_of((fixed, moving, placed), [within, deepest, beyond]))
     }
+}
+
+/// The features of two parts, the moving one placed by a configuration, that are no farther apart than a length or overlap by no more than
+/// it: what touches. As of [`PairSpace::near_features`], without a space.
+pub fn touching_features(
+    fixed: &Part,
+    moving: &Part,
+    at: Configuration,
+    within: f64,
+) -> Vec<NearFeatures> {
+    near_of((fixed, moving, at), [within; 3])
+}
+
+/// The pairs of features of a placed pair; `limits` are those of [`Sought`].
+fn near_of(
+    (fixed, moving, placed): (&Part, &Part, Configuration),
+    [within, deepest, beyond]: [f64; 3],
+) -> Vec<NearFeatures> {
+    let frame = PairFrame::new(fixed, moving);
+    let sought = Sought {
+        meeting: MeetingLoops::of(&LoopHeights::of(fixed), &LoopHeights::of(moving)),
+        within,
+        deepest,
+        beyond,
+        slack: rounding(&frame, placed),
+    };
+    // Parts may be drawn far away: all is computed relative to the fixed part's centre.
+    let center = frame.fixed_center.to_vector();
+    let mut found = sought.among(
+        &features(fixed, frame.fixed_center, Configuration::default()),
+        &features(moving, frame.moving_center, about_centers(&frame, placed)),
+    );
+    for near in &mut found {
+        near.touching.on_fixed += center;
+        near.touching.on_moving += center;
+    }
+    found.sort_by(|a, b| {
+        let nearer = a.distance.abs().total_cmp(&b.distance.abs());
+        let names = |f: &NearFeatures| (f.fixed.name, f.moving.name);
+        nearer.then(names(a).cmp(&names(b)))
+    });
+    found
 }
 
 /// Bound of the rounding error of points of the two parts, in the model's unit of length.

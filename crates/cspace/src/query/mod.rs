@@ -3,6 +3,7 @@
 pub(crate) mod classify;
 mod contacts;
 mod crossings;
+mod farthest;
 mod first_contact;
 mod index;
 mod location;
@@ -12,6 +13,7 @@ pub(crate) mod swept;
 mod touch;
 
 pub use contacts::NearestContact;
+pub use farthest::Farthest;
 pub use first_contact::{FirstContact, MotionOutcome};
 pub use location::{Classification, Location};
 pub use path::MotionError;

@@ -4,6 +4,7 @@ mod about;
 #[cfg(feature = "serde")]
 mod answers_saved;
 mod contact;
+mod farthest;
 mod lower;
 mod motion;
 mod near;
