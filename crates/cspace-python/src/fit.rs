@@ -2,12 +2,12 @@
 
 use std::sync::Arc;
 
-use cspace::{Configuration, FeatureName, Point, Relation, Vector};
+use cspace::{Configuration, FeatureName, Point, Vector};
 use cspace_plan::nest::{Nest, Orientations, Owner, Place};
 use pyo3::prelude::*;
 
 use crate::part::{Part, Told as ToldFeature, told};
-use crate::space::{Pair, Space};
+use crate::space::Space;
 use crate::work;
 
 /// A configuration, what touches (the number of a placed part, or none of the container; features of it and of the part), and a length.
@@ -23,7 +23,6 @@ pub(crate) struct Fit {
     nest: Arc<Nest>,
     container: cspace::Part,
     placed: Vec<cspace::Part>,
-    window: Option<(f64, f64)>,
     /// The centroid of the part without spacing.
     centroid: Point,
 }
@@ -60,21 +59,13 @@ impl Fit {
             nest: Arc::new(nest),
             container,
             placed,
-            window,
             centroid: part.part.moments().centroid,
         })
     }
 
     /// The space of the walls and the part; none of single orientations.
     fn space(&self) -> Option<Space> {
-        let space = self.nest.space()?;
-        let pair = Pair {
-            fixed: space.fixed().clone(),
-            moving: space.moving().clone(),
-            relation: Relation::Planar,
-            window: self.window,
-        };
-        Some(Space::of(pair, Arc::clone(space)))
+        (self.nest.space()).map(|space| Space::of(Arc::clone(space), None))
     }
 
     /// Whether the part fits somewhere.

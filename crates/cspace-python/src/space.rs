@@ -209,10 +209,11 @@ impl Space {
     }
 
     /// A space that is computed already.
-    pub(crate) fn of(pair: Pair, space: Arc<PairSpace>) -> Self {
+    pub(crate) fn of(space: Arc<PairSpace>, unit: Option<String>) -> Self {
         Self {
+            pair: Pair::of(&space, unit),
             known: OnceLock::from(Known::new(space)),
-            ..Self::later(pair)
+            roomy: OnceLock::new(),
         }
     }
 
@@ -339,9 +340,7 @@ impl Space {
         let saved = work::run(py, move |_| {
             Ok(SavedFile::from_json(&text, &file).map_err(|e| of_model(&e)))
         })??;
-        let this = Self::later(Pair::of(&saved.space, saved.unit));
-        this.known.get_or_init(|| Known::new(saved.space));
-        Ok(this)
+        Ok(Self::of(Arc::new(saved.space), saved.unit))
     }
 
     fn _relation(&self) -> PyResult<String> {

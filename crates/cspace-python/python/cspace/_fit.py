@@ -140,7 +140,7 @@ def fit(
     `placed` is a list of parts as they are drawn, or of placed parts (part, (x, y, theta)); they may touch each other and the container.
     With `spacing` the part stays so far from them, and from the container.
 
-    >>> bool(cs.fit(cs.Part.rectangle(8, 8), [cs.Part.circle(3)], cs.Part.circle(1)))
+    >>> bool(cs.fit(cs.Part.rectangle(8, 8), [cs.Part.circle(3.5)], cs.Part.circle(1)))
     False
     """
     if window is not None and orientations is not None:

@@ -101,6 +101,10 @@ class ContactSpace:
 class Fit:
     """A part, and what it is to be placed among."""
 
+    @staticmethod
+    def _of(container: Any, placed: Any, part: Any, moving: Any, window: Any, orientations: Any) -> Any:
+        """The part `moving` is `part`, or that grown by a spacing."""
+
     def fits(self) -> Any:
         """Whether the part fits somewhere."""
 
