@@ -4,6 +4,7 @@ use nalgebra::DVector;
 
 use super::STILL;
 use super::accumulate::Impacts;
+use super::bridge::Bridges;
 use super::flow::{Bearings, Flow};
 use super::motion::{Ended, Event, Motion, Observer, Options, Work};
 use super::step::{Looked, Span};
@@ -62,7 +63,7 @@ const MOST_SHORT: usize = 20_000;
 /// }
 /// let ball = Ball(DMatrix::identity(1, 1));
 /// let start = State { t: 0.0, q: DVector::from_element(1, 1.0), v: DVector::zeros(1) };
-/// let motion = run(&ball, start, &Options { until: 3.0, longest: 1.0 }, &mut ());
+/// let motion = run(&ball, start, &Options { until: 3.0, longest: 1.0, strict: false }, &mut ());
 /// // It falls for √(2 h / g), and is at rest three times as late.
 /// let fall = f64::sqrt(2.0 / 9.81);
 /// assert!((motion.events[0].t - fall).abs() < 1e-12);
@@ -117,6 +118,8 @@ pub fn run_through<W: World + ?Sized>(
         open: 0.0,
         work: Work::default(),
         is_led: false,
+        strict: options.strict,
+        bridges: Bridges::default(),
         fold: None,
     };
     let ended = run
@@ -171,6 +174,9 @@ pub(super) struct Run<'a, W: World + ?Sized> {
     pub(super) work: Work,
     /// Whether joints and drives leave no freedom.
     is_led: bool,
+    /// Whether the motion ends where several are possible.
+    pub(super) strict: bool,
+    pub(super) bridges: Bridges,
     /// For a mechanism without freedom: [`Flow::fold`] at the end of the last step, and its rate.
     fold: Option<(f64, f64)>,
 }
@@ -191,9 +197,31 @@ impl<W: World + ?Sized> Run<'_, W> {
         let joints = self.flow.world.joints(self.state.t, &self.state.q).rows;
         self.is_led = joints.nrows() > 0 && joints.is_square();
         observer.step(&self.state);
-        let closed = self.flow.world.closed(self.state.t, &self.state.q);
-        let settled = self.settle(closed, &Reached::default());
-        self.announce(0, observer);
+        loop {
+            let ended = match self.advance(options, corners, observer) {
+                Err(ended @ (Ended::Stuck { .. } | Ended::Inconsistent { .. }))
+                    if !options.strict =>
+                {
+                    ended
+                }
+                ended => return ended,
+            };
+            if !self.bridge(options, observer) {
+                return Err(ended);
+            }
+        }
+    }
+
+    /// Goes on from event to event.
+    fn advance(
+        &mut self,
+        options: &Options,
+        corners: &[f64],
+        observer: &mut dyn Observer,
+    ) -> Result<(), Ended> {
+        let told = self.events.len();
+        let settled = self.happen(&[]);
+        self.announce(told, observer);
         settled?;
         let mut longest = options.longest.min(1e-3 * self.span);
         let (mut at_once, mut since) = (0, self.state.t);
@@ -330,7 +358,7 @@ impl<W: World + ?Sized> Run<'_, W> {
     }
 
     /// Reports the events from an index on.
-    fn announce(&self, from: usize, observer: &mut dyn Observer) {
+    pub(super) fn announce(&self, from: usize, observer: &mut dyn Observer) {
         for event in &self.events[from..] {
             observer.event(event, &self.state);
         }
@@ -372,7 +400,7 @@ impl<W: World + ?Sized> Run<'_, W> {
         }
     }
 
-    fn look(&mut self) {
+    pub(super) fn look(&mut self) {
         // A mechanism that has not moved yet is as slow as one that crosses a millionth of the size in the time of the
         // simulation.
         let slow = 1e-6 * self.flow.world.size() / self.span;

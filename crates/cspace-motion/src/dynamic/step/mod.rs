@@ -69,7 +69,10 @@ impl<W: World + ?Sized> Flow<'_, W> {
     /// equations of the modes have no solution.
     pub(super) fn step(&self, span: Span<'_>, longest: f64, looked: &Looked) -> Option<Stepped> {
         let before = self.watches(span.from, span.bearings, looked)?;
-        let (h, taken) = self.longest(span, longest)?;
+        let (mut h, mut taken) = self.longest(span, longest)?;
+        while let Some(sooner) = self.forbidden(&taken, h, span.bearings, looked) {
+            (h, taken) = (sooner, self.take(span, sooner)?);
+        }
         let next = h * (0.9 * taken.error.max(1e-10).powf(-0.2)).clamp(0.2, 5.0);
         let course = Course::new(self, span, h, &taken);
         let watches = self.watches(&taken.state, span.bearings, looked)?;
