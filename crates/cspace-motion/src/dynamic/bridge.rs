@@ -16,6 +16,8 @@ use super::world::{Acting, State, World};
 const SHARES: [f64; 3] = [1e-8, 1e-7, 1e-6];
 /// Number of bridges in a row that have the same length of steps.
 const ALIKE: usize = 4;
+/// Bridges are in a row if between two of them the motion comes no farther than this multiple of the first one's time.
+const FARTHER: f64 = 100.0;
 /// Number of steps of a bridge.
 const STEPS: usize = 16;
 /// There are no more bridges than that in a motion.
@@ -26,10 +28,10 @@ const MOST: usize = 50_000;
 pub(super) struct Bridges {
     /// Number of all.
     all: usize,
-    /// Number of those in a row, between which no step was taken from event to event.
+    /// Number of those in a row, between which the motion did not come much farther than by them.
     in_a_row: usize,
-    /// Number of the motion's steps at the end of the last one.
-    steps: usize,
+    /// The time of the last one.
+    last: [f64; 2],
 }
 
 /// An observer to whom the events of steps are not told: they are late or early by a step.
@@ -52,7 +54,8 @@ impl Observer for Quiet<'_> {
 impl<W: World + ?Sized> Run<'_, W> {
     /// Goes on by steps for a short time. Returns whether it could.
     pub(super) fn bridge(&mut self, options: &Options, observer: &mut dyn Observer) -> bool {
-        if self.steps > self.bridges.steps + 1 {
+        let [begin, end] = self.bridges.last;
+        if self.state.t > end + FARTHER * (end - begin) {
             self.bridges.in_a_row = 0;
         }
         let row = self.bridges.in_a_row / ALIKE;
@@ -89,7 +92,7 @@ impl<W: World + ?Sized> Run<'_, W> {
             ..Event::of(from, EventKind::Bridge, contact)
         });
         self.announce(told, observer);
-        self.bridges.steps = self.steps;
+        self.bridges.last = [from, self.state.t];
         true
     }
 

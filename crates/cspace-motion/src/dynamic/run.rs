@@ -24,6 +24,9 @@ const MOST_STEPS: usize = 10_000_000;
 /// Number of steps to come beyond which the motion is given up, if it has been exceeded for many steps in a row: they
 /// would take minutes. Fast motion for a moment, as of a part that is thrown against another, is followed.
 const FORESEEN: f64 = 1e6;
+/// So many events within a share of the time that is simulated are a crowd, which steps lead over.
+const CROWD: usize = 300;
+const CROWDED: f64 = 1e-4;
 /// See [`FORESEEN`].
 const MOST_SHORT: usize = 20_000;
 
@@ -225,7 +228,7 @@ impl<W: World + ?Sized> Run<'_, W> {
         settled?;
         let mut longest = options.longest.min(1e-3 * self.span);
         let (mut at_once, mut since) = (0, self.state.t);
-        let mut short = 0;
+        let (mut short, mut crowd, mut crowded) = (0, 0, self.state.t);
         self.show(&self.state.clone(), self.state.t, observer)?;
         let start = self.state.t;
         let ahead = |&&t: &&f64| t > start && t < options.until;
@@ -292,11 +295,15 @@ impl<W: World + ?Sized> Run<'_, W> {
                 }
                 continue;
             }
+            crowd += 1;
+            if self.state.t > crowded + CROWDED * self.span {
+                (crowd, crowded) = (0, self.state.t);
+            }
             at_once += 1;
             if self.state.t > since + AT_ONE_TIME * self.span {
                 (at_once, since) = (0, self.state.t);
             }
-            if at_once > AT_ONCE {
+            if at_once > AT_ONCE || crowd > CROWD {
                 return Err(self.stuck());
             }
             let told = self.events.len();

@@ -123,19 +123,25 @@ impl<W: World + ?Sized> Flow<'_, W> {
         bearings: &Bearings,
         looked: &Looked,
     ) -> Option<f64> {
+        let [(_, first_normal, first_tangential), later @ ..] = &taken.forces[..] else {
+            return None;
+        };
         let mut times = Vec::new();
-        for (after, normal, tangential) in &taken.forces {
-            let nothing = -ZERO * normal.iter().fold(0.0_f64, |most, n| most.max(n.abs()));
+        for (after, normal, tangential) in later {
+            let nothing = ZERO * normal.iter().fold(0.0_f64, |most, n| most.max(n.abs()));
             let falls = |k: usize, contact: usize, mode: Mode| {
-                let reserve =
-                    self.world.surface(contact).friction * normal[k] - tangential[k].abs();
-                normal[k] < nothing || (mode == Mode::Stick && reserve < nothing)
+                let friction = self.world.surface(contact).friction;
+                let below = |first: f64, now: f64| now < first.min(0.0) - nothing;
+                let reserve = |normal: f64, tangential: f64| friction * normal - tangential.abs();
+                below(first_normal[k], normal[k])
+                    || (mode == Mode::Stick
+                        && below(
+                            reserve(first_normal[k], first_tangential[k]),
+                            reserve(normal[k], tangential[k]),
+                        ))
             };
             let mut all = bearings.iter().enumerate();
-            if *after > 0.0
-                && *after < h
-                && all.any(|(k, b)| !looked.steady.contains(&b.0) && falls(k, b.0, b.1))
-            {
+            if *after < h && all.any(|(k, b)| !looked.steady.contains(&b.0) && falls(k, b.0, b.1)) {
                 times.push(*after);
             }
         }
