@@ -202,11 +202,7 @@ impl<W: World + ?Sized> Run<'_, W> {
         observer.step(&self.state);
         loop {
             let ended = match self.advance(options, corners, observer) {
-                Err(ended @ (Ended::Stuck { .. } | Ended::Inconsistent { .. }))
-                    if !options.strict =>
-                {
-                    ended
-                }
+                Err(ended @ Ended::Stuck { .. }) if !options.strict => ended,
                 ended => return ended,
             };
             if !self.bridge(options, observer) {
