@@ -41,6 +41,10 @@ pub enum EventKind {
     Snap,
     /// A driven part cannot go on: a contact or an end of a range forbids it.
     Jam,
+    /// Several motions agree with the laws of contact and friction, and one is taken.
+    Choice,
+    /// Steps of one length lead over a time in which events cannot be told apart.
+    Bridge,
 }
 
 /// An end of a range.
@@ -116,6 +120,61 @@ pub struct Event {
     /// Position, in the assembly's frame; `None` for limits.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub at: Option<[f64; 2]>,
+    /// Possible motions, of a choice.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub choice: Option<Choice>,
+    /// Extent of a bridge.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub bridge: Option<Bridge>,
+}
+
+impl Event {
+    /// An event at a place.
+    pub(crate) fn new(t: f64, kind: EventKind, what: What, at: Option<[f64; 2]>) -> Self {
+        Self {
+            t,
+            kind,
+            what,
+            at,
+            choice: None,
+            bridge: None,
+        }
+    }
+}
+
+/// Motions that all agree with the laws of contact and friction, and the one that is taken: that with the least energy of the change, then with
+/// the least forces, then the first.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub struct Choice {
+    /// The contacts and limits concerned.
+    pub contacts: Vec<What>,
+    /// Conduct of each in the motion that is taken.
+    pub taken: Vec<Conduct>,
+    /// Conduct of each in the other motions.
+    pub others: Vec<Vec<Conduct>>,
+}
+
+/// Conduct of a contact in a motion.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Conduct {
+    /// It opens.
+    Opens,
+    /// It bears, and does not slide.
+    Sticks,
+    /// It slides in the direction of its tangent.
+    Slides,
+    /// It slides against its tangent.
+    SlidesBack,
+}
+
+/// A time that steps lead over.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Bridge {
+    /// The end of the time, in seconds.
+    pub until: f64,
+    /// The largest overlap of parts in it, in the model's unit of length.
+    pub overlap: f64,
 }
 
 /// All coordinates of the system at a time.

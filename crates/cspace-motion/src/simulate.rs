@@ -55,6 +55,9 @@ pub enum Way {
     Kinematic,
     /// With masses from event to event, as [`Simulation::dynamic`].
     Dynamic,
+    /// As [`Dynamic`](Self::Dynamic), but where several motions agree with the laws of contact, or events cannot be told apart, the motion
+    /// ends.
+    Strict,
     /// With masses in steps no longer than this, in seconds, as [`Simulation::stepping`].
     Stepping(f64),
 }
@@ -194,7 +197,7 @@ impl Simulation {
                     &goes_on,
                 ));
             }
-            Way::Dynamic => Scheme::Events,
+            Way::Dynamic | Way::Strict => Scheme::Events,
             Way::Stepping(step) => Scheme::Steps(steps(time - from, step)?),
         };
         let system = System::about_masses(self.system.mechanism());
@@ -204,7 +207,14 @@ impl Simulation {
         };
         let start = (self.start.clone(), rates);
         let times = ([from, time], every);
-        inertial::run(system, &self.pairs, start, times, scheme, &goes_on)
+        inertial::run(
+            system,
+            &self.pairs,
+            start,
+            times,
+            (scheme, way == Way::Strict),
+            &goes_on,
+        )
     }
 
     /// As [`kept_with`](Self::kept_with), but an interrupted motion is an error.

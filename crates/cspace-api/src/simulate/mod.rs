@@ -168,6 +168,7 @@ impl Question {
             ))),
             (Scheme::Stepping, step) => Ok(Way::Stepping(step.unwrap_or(self.time / STEPS))),
             (Scheme::Event, None) if mode == Mode::Kinematic => Ok(Way::Kinematic),
+            (Scheme::Event, None) if self.strict => Ok(Way::Strict),
             (Scheme::Event, None) => Ok(Way::Dynamic),
         }
     }

@@ -30,6 +30,11 @@ pub struct Question {
     #[cfg_attr(feature = "command", arg(long, value_name = "DT", value_parser = crate::command::duration, allow_negative_numbers = true, hide_short_help = true))]
     #[serde(default)]
     pub step: Option<f64>,
+    /// End where several motions agree with the laws of contact and friction, or events cannot be told apart, instead of going on with one of
+    /// the motions, or by steps.
+    #[cfg_attr(feature = "command", arg(long, hide_short_help = true))]
+    #[serde(default)]
+    pub strict: bool,
     /// Report the rates of all coordinates as well.
     #[cfg_attr(feature = "command", arg(long))]
     #[serde(default)]

@@ -47,6 +47,11 @@ impl<'a, W: World + ?Sized> Flow<'a, W> {
         })
     }
 
+    /// The accelerations by forces alone, without joints and contacts.
+    pub(super) fn pushed(&self, force: &DVector<f64>) -> DVector<f64> {
+        &self.inverse * force
+    }
+
     /// The problem of accelerations for some contacts; those that slide faster than `still` have their direction.
     pub(super) fn problem(&self, state: &State, contacts: &[usize], still: f64) -> Problem<'_> {
         let equations = self.world.equations(state, contacts);

@@ -29,7 +29,8 @@ impl<W: World + ?Sized> Run<'_, W> {
             let contacts = closed.to_vec();
             return Err(Ended::Jammed { contacts });
         }
-        let solution = self.one(solutions, closed)?;
+        let (solution, choice) = self.one(&problem, solutions, closed)?;
+        self.choose(choice);
         self.pass(&solution, closed);
         Ok(solution.modes.iter().any(|mode| *mode != Mode::Open))
     }

@@ -8,6 +8,8 @@
 //! determined anew (`modes.rs`). Impacts that accumulate are closed at their limit (`accumulate.rs`).
 
 mod accumulate;
+mod bridge;
+mod choose;
 mod direct;
 mod flow;
 mod friction;
@@ -26,7 +28,7 @@ mod stepping;
 mod world;
 
 pub use modes::Mode;
-pub use motion::{Ended, Event, EventKind, Motion, Observer, Options, Work};
+pub use motion::{Choice, Ended, Event, EventKind, Motion, Observer, Options, Work};
 pub use run::{run, run_through};
 pub use stepping::step_through;
 pub use world::{Acting, Equations, Joints, Sought, State, Step, Surface, Touch, World};

@@ -1,18 +1,47 @@
 //! Options and results of a motion.
 
+use super::modes::Mode;
 use super::world::{Acting, State};
 
 pub use crate::record::EventKind;
 
 /// Something that happens to a contact.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Event {
     /// Time, s.
     pub t: f64,
     /// Kind of the event: none of a limit, a balance or a drive, of which contacts know nothing.
     pub kind: EventKind,
-    /// The number of the contact.
+    /// The number of the contact; of several, of the first.
     pub contact: usize,
+    /// Other motions that were possible, of a choice.
+    pub choice: Option<Choice>,
+    /// The end of the time that steps led over, and the largest overlap in it, of a bridge.
+    pub bridge: Option<[f64; 2]>,
+}
+
+impl Event {
+    /// An event of one contact.
+    pub(super) fn of(t: f64, kind: EventKind, contact: usize) -> Self {
+        Self {
+            t,
+            kind,
+            contact,
+            choice: None,
+            bridge: None,
+        }
+    }
+}
+
+/// Motions that all agree with the laws of contact and friction, of which one was taken.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Choice {
+    /// The contacts concerned.
+    pub contacts: Vec<usize>,
+    /// Their modes in the motion that is taken.
+    pub taken: Vec<Mode>,
+    /// Their modes in each of the others.
+    pub others: Vec<Vec<Mode>>,
 }
 
 /// Reason for the end of a motion.
@@ -119,4 +148,6 @@ pub struct Options {
     pub until: f64,
     /// Longest step, s.
     pub longest: f64,
+    /// Whether the motion ends where several agree with the laws of contact and friction, and where steps would have to lead over a time.
+    pub strict: bool,
 }

@@ -4,6 +4,7 @@ use nalgebra::DVector;
 
 use super::STILL;
 use super::accumulate::Impacts;
+use super::bridge::Bridges;
 use super::flow::{Bearings, Flow};
 use super::motion::{Ended, Event, Motion, Observer, Options, Work};
 use super::step::{Looked, Span};
@@ -23,6 +24,9 @@ const MOST_STEPS: usize = 10_000_000;
 /// Number of steps to come beyond which the motion is given up, if it has been exceeded for many steps in a row: they
 /// would take minutes. Fast motion for a moment, as of a part that is thrown against another, is followed.
 const FORESEEN: f64 = 1e6;
+/// So many events within a share of the time that is simulated are a crowd, which steps lead over.
+const CROWD: usize = 300;
+const CROWDED: f64 = 1e-4;
 /// See [`FORESEEN`].
 const MOST_SHORT: usize = 20_000;
 
@@ -62,7 +66,7 @@ const MOST_SHORT: usize = 20_000;
 /// }
 /// let ball = Ball(DMatrix::identity(1, 1));
 /// let start = State { t: 0.0, q: DVector::from_element(1, 1.0), v: DVector::zeros(1) };
-/// let motion = run(&ball, start, &Options { until: 3.0, longest: 1.0 }, &mut ());
+/// let motion = run(&ball, start, &Options { until: 3.0, longest: 1.0, strict: false }, &mut ());
 /// // It falls for √(2 h / g), and is at rest three times as late.
 /// let fall = f64::sqrt(2.0 / 9.81);
 /// assert!((motion.events[0].t - fall).abs() < 1e-12);
@@ -117,6 +121,8 @@ pub fn run_through<W: World + ?Sized>(
         open: 0.0,
         work: Work::default(),
         is_led: false,
+        strict: options.strict,
+        bridges: Bridges::default(),
         fold: None,
     };
     let ended = run
@@ -171,6 +177,9 @@ pub(super) struct Run<'a, W: World + ?Sized> {
     pub(super) work: Work,
     /// Whether joints and drives leave no freedom.
     is_led: bool,
+    /// Whether the motion ends where several are possible.
+    pub(super) strict: bool,
+    pub(super) bridges: Bridges,
     /// For a mechanism without freedom: [`Flow::fold`] at the end of the last step, and its rate.
     fold: Option<(f64, f64)>,
 }
@@ -191,13 +200,31 @@ impl<W: World + ?Sized> Run<'_, W> {
         let joints = self.flow.world.joints(self.state.t, &self.state.q).rows;
         self.is_led = joints.nrows() > 0 && joints.is_square();
         observer.step(&self.state);
-        let closed = self.flow.world.closed(self.state.t, &self.state.q);
-        let settled = self.settle(closed, &Reached::default());
-        self.announce(0, observer);
+        loop {
+            let ended = match self.advance(options, corners, observer) {
+                Err(ended @ Ended::Stuck { .. }) if !options.strict => ended,
+                ended => return ended,
+            };
+            if !self.bridge(options, observer) {
+                return Err(ended);
+            }
+        }
+    }
+
+    /// Goes on from event to event.
+    fn advance(
+        &mut self,
+        options: &Options,
+        corners: &[f64],
+        observer: &mut dyn Observer,
+    ) -> Result<(), Ended> {
+        let told = self.events.len();
+        let settled = self.happen(&[]);
+        self.announce(told, observer);
         settled?;
         let mut longest = options.longest.min(1e-3 * self.span);
         let (mut at_once, mut since) = (0, self.state.t);
-        let mut short = 0;
+        let (mut short, mut crowd, mut crowded) = (0, 0, self.state.t);
         self.show(&self.state.clone(), self.state.t, observer)?;
         let start = self.state.t;
         let ahead = |&&t: &&f64| t > start && t < options.until;
@@ -264,11 +291,15 @@ impl<W: World + ?Sized> Run<'_, W> {
                 }
                 continue;
             }
+            crowd += 1;
+            if self.state.t > crowded + CROWDED * self.span {
+                (crowd, crowded) = (0, self.state.t);
+            }
             at_once += 1;
             if self.state.t > since + AT_ONE_TIME * self.span {
                 (at_once, since) = (0, self.state.t);
             }
-            if at_once > AT_ONCE {
+            if at_once > AT_ONCE || crowd > CROWD {
                 return Err(self.stuck());
             }
             let told = self.events.len();
@@ -330,7 +361,7 @@ impl<W: World + ?Sized> Run<'_, W> {
     }
 
     /// Reports the events from an index on.
-    fn announce(&self, from: usize, observer: &mut dyn Observer) {
+    pub(super) fn announce(&self, from: usize, observer: &mut dyn Observer) {
         for event in &self.events[from..] {
             observer.event(event, &self.state);
         }
@@ -372,7 +403,7 @@ impl<W: World + ?Sized> Run<'_, W> {
         }
     }
 
-    fn look(&mut self) {
+    pub(super) fn look(&mut self) {
         // A mechanism that has not moved yet is as slow as one that crosses a millionth of the size in the time of the
         // simulation.
         let slow = 1e-6 * self.flow.world.size() / self.span;

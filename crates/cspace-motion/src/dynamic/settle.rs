@@ -7,7 +7,7 @@ use nalgebra::DVector;
 use super::STILL;
 use super::accumulate::Impacts;
 use super::modes::{Mode, Problem, Solution};
-use super::motion::{Ended, Event, EventKind};
+use super::motion::{Choice, Ended, Event, EventKind};
 use super::run::{Reached, Run};
 use super::step::Watched;
 use super::world::{State, Step, Touch, World};
@@ -104,7 +104,7 @@ impl<W: World + ?Sized> Run<'_, W> {
         if same.any(|e| self.is_same(e.contact, contact)) {
             return;
         }
-        self.events.push(Event { t, kind, contact });
+        self.events.push(Event::of(t, kind, contact));
     }
 
     /// Determines the modes of the closed contacts from now on: the first of the world's alternatives by which the
@@ -316,12 +316,13 @@ impl<W: World + ?Sized> Run<'_, W> {
             }
             problem.bearings[k].lets_go = is_among(&at.loose);
         }
-        let solution = self.one(problem.solutions(), &resting)?;
+        let (solution, choice) = self.one(&problem, problem.solutions(), &resting)?;
         let goes_on = self.goes_on(&problem, &solution, &resting);
         self.bearings = (resting.iter().copied())
             .zip(goes_on.unwrap_or(solution.modes))
             .filter(|(_, mode)| *mode != Mode::Open)
             .collect();
+        self.choose(choice);
         self.flow.seats = self.seats();
         if let Some((state, _)) = self.flow.projected(self.state.clone(), &self.bearings) {
             self.state = state;
@@ -417,17 +418,34 @@ impl<W: World + ?Sized> Run<'_, W> {
         Ok(())
     }
 
-    /// The one solution there is to be.
+    /// The solution that is taken, and of several what else there is.
     pub(super) fn one(
         &self,
+        problem: &Problem<'_>,
         mut solutions: Vec<Solution>,
         contacts: &[usize],
-    ) -> Result<Solution, Ended> {
-        let contacts = contacts.to_vec();
+    ) -> Result<(Solution, Option<Choice>), Ended> {
         match solutions.len() {
-            0 => Err(Ended::Inconsistent { contacts }),
-            1 => Ok(solutions.remove(0)),
-            _ => Err(Ended::Undetermined { contacts }),
+            0 => Err(Ended::Inconsistent {
+                contacts: contacts.to_vec(),
+            }),
+            1 => Ok((solutions.remove(0), None)),
+            _ => (problem.chosen(solutions, contacts).filter(|_| !self.strict))
+                .map(|(solution, choice)| (solution, Some(choice)))
+                .ok_or_else(|| Ended::Undetermined {
+                    contacts: contacts.to_vec(),
+                }),
+        }
+    }
+
+    /// Reports a choice.
+    pub(super) fn choose(&mut self, choice: Option<Choice>) {
+        if let Some(choice) = choice {
+            let event = Event::of(self.state.t, EventKind::Choice, choice.contacts[0]);
+            self.events.push(Event {
+                choice: Some(choice),
+                ..event
+            });
         }
     }
 }

@@ -1,9 +1,11 @@
 //! Recording of a motion with masses: samples and events.
 
 use crate::contact::{Bound, named};
-use crate::dynamic::{self, Acting, Observer, State};
+use crate::dynamic::{self, Acting, Mode, Observer, State};
 use crate::forces::{drive_force, joint_forces};
-use crate::record::{ContactForce, Event, EventKind, Forces, MOST_TRACED, Sample};
+use crate::record::{
+    Bridge, Choice, Conduct, ContactForce, Event, EventKind, Forces, MOST_TRACED, Sample,
+};
 
 use super::bodies::All;
 use super::world::Mechanical;
@@ -57,6 +59,17 @@ impl Gathering<'_> {
     }
 }
 
+/// What modes of contacts are in a record.
+fn conducts(modes: &[Mode]) -> Vec<Conduct> {
+    let one = |mode: &Mode| match mode {
+        Mode::Open => Conduct::Opens,
+        Mode::Stick => Conduct::Sticks,
+        Mode::Forward => Conduct::Slides,
+        Mode::Backward => Conduct::SlidesBack,
+    };
+    modes.iter().map(one).collect()
+}
+
 impl Observer for Gathering<'_> {
     fn next(&self) -> f64 {
         let next = (self.first + self.samples.len()) as f64 * self.every;
@@ -91,11 +104,34 @@ impl Observer for Gathering<'_> {
             (EventKind::Impact | EventKind::Touch, Bound::Limit { .. }) => EventKind::Limit,
             (kind, _) => kind,
         };
+        let what = |contact: usize| {
+            let bound = self.world.bound(contact);
+            named(&self.world.bodies.system, self.world.pairs, &bound)
+        };
+        let bridge = event
+            .bridge
+            .map(|[until, overlap]| Bridge { until, overlap });
+        if let Some(next) = bridge {
+            // One that goes on where another ends is the same.
+            let earlier = self.events.iter_mut().rev();
+            let mut recent = earlier.take_while(|e| e.t == event.t || e.bridge.is_some());
+            let last = recent.find_map(|e| e.bridge.as_mut().filter(|b| b.until == event.t));
+            if let Some(last) = last {
+                last.until = next.until;
+                last.overlap = last.overlap.max(next.overlap);
+                return;
+            }
+        }
+        let choice = event.choice.as_ref().map(|choice| Choice {
+            contacts: choice.contacts.iter().map(|&i| what(i)).collect(),
+            taken: conducts(&choice.taken),
+            others: choice.others.iter().map(|modes| conducts(modes)).collect(),
+        });
+        let at = self.world.place(event.contact, &all.q).map(|p| [p.x, p.y]);
         let event = Event {
-            t: event.t,
-            kind,
-            what: named(&self.world.bodies.system, self.world.pairs, &bound),
-            at: self.world.place(event.contact, &all.q).map(|p| [p.x, p.y]),
+            choice,
+            bridge,
+            ..Event::new(event.t, kind, what(event.contact), at)
         };
         // A stop that is struck and holds is reported once.
         let is_told = kind == EventKind::Limit

@@ -27,7 +27,7 @@ pub(crate) fn run(
     pairs: &Pairs,
     (mut q, mut v): (Vec<f64>, Vec<f64>),
     ([from, duration], every): ([f64; 2], f64),
-    scheme: Scheme,
+    (scheme, strict): (Scheme, bool),
     progress: &dyn Fn(f64) -> bool,
 ) -> Result<Record, SimulateError> {
     system.shift(&mut q, &mut v, false);
@@ -57,6 +57,7 @@ pub(crate) fn run(
             let options = Options {
                 until: duration,
                 longest: f64::INFINITY,
+                strict,
             };
             let drives = bodies.system.drives().iter();
             let mut corners: Vec<f64> = drives.flat_map(|(_, curve)| curve.corners()).collect();
@@ -147,11 +148,10 @@ pub(crate) fn run(
     let until = motion.last.t;
     if let Ended::Jammed { contacts } = &motion.ended {
         let q = bodies.all(&motion.last).q;
-        let jams = contacts.iter().map(|&i| Event {
-            t: until,
-            kind: EventKind::Jam,
-            what: named(&bodies.system, pairs, &world.bound(i)),
-            at: world.place(i, &q).map(|p| [p.x, p.y]),
+        let jams = contacts.iter().map(|&i| {
+            let at = world.place(i, &q).map(|p| [p.x, p.y]);
+            let what = named(&bodies.system, pairs, &world.bound(i));
+            Event::new(until, EventKind::Jam, what, at)
         });
         gathering.events.extend(jams);
     }

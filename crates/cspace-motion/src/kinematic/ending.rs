@@ -70,12 +70,12 @@ impl Run<'_> {
                 }
                 Bound::Limit { .. } | Bound::Brake { .. } => None,
             };
-            self.record.events.push(Event {
-                t: time,
-                kind: EventKind::Jam,
-                what: named(self.system, self.pairs, bound),
+            self.record.events.push(Event::new(
+                time,
+                EventKind::Jam,
+                named(self.system, self.pairs, bound),
                 at,
-            });
+            ));
         }
         self.end(time, q, Status::Jammed, Some(reason));
     }

@@ -104,5 +104,5 @@ impl Told {
 fn event(system: &System, pairs: &Pairs, t: f64, (bound, at, _): &Seen, kind: EventKind) -> Event {
     let at = at.filter(|p| p.is_finite()).map(|p| [p.x, p.y]);
     let what = crate::contact::named(system, pairs, bound);
-    Event { t, kind, what, at }
+    Event::new(t, kind, what, at)
 }

@@ -193,12 +193,9 @@ impl<'a> Run<'a> {
             // Among parts that go equally far, the first by name.
             let farthest = ways.iter().filter(|w| w.0 >= most * (1.0 - ALIKE));
             let part = farthest.map(|w| w.1).min().unwrap_or("").to_owned();
-            self.record.events.push(Event {
-                t: time,
-                kind: EventKind::Snap,
-                what: What::Part { part },
-                at: None,
-            });
+            self.record
+                .events
+                .push(Event::new(time, EventKind::Snap, What::Part { part }, None));
             let now = |e: Event| Event { t: time, ..e };
             self.record
                 .events

@@ -76,7 +76,9 @@ pub(super) fn intervals(record: &Record) -> Vec<ContactInterval> {
             | EventKind::Slip
             | EventKind::Limit
             | EventKind::Snap
-            | EventKind::Jam => {}
+            | EventKind::Jam
+            | EventKind::Choice
+            | EventKind::Bridge => {}
         }
     }
     all
@@ -115,12 +117,7 @@ mod tests {
             moving: "b".into(),
             features: features.map(String::from),
         };
-        Event {
-            t,
-            kind,
-            what,
-            at: None,
-        }
+        Event::new(t, kind, what, None)
     }
 
     #[test]

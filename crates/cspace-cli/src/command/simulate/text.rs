@@ -54,7 +54,20 @@ pub(super) fn describe(text: &mut String, model: &Mechanism, motion: &Motion) ->
     if let Some(energy) = &motion.energy {
         describe_energy(text, model, energy)?;
     }
-    writeln!(text, "{}", count(motion.events.len(), "event", "events"))?;
+    write!(text, "{}", count(motion.events.len(), "event", "events"))?;
+    let of = |kind| motion.events.iter().filter(|e| e.kind == kind).count();
+    let told = [
+        (
+            of(EventKind::Choice),
+            "choice among possible motions",
+            "choices among possible motions",
+        ),
+        (of(EventKind::Bridge), "bridge by steps", "bridges by steps"),
+    ];
+    for (n, one, many) in told.into_iter().filter(|t| t.0 > 0) {
+        write!(text, ", {}", count(n, one, many))?;
+    }
+    writeln!(text)?;
     for event in motion.events.iter().take(MOST) {
         describe_event(text, model, event)?;
     }
@@ -96,11 +109,27 @@ pub(super) fn kind(event: &Event) -> &'static str {
         EventKind::Snap => "snap",
         EventKind::Jam => "jam",
         EventKind::Rest => "rest",
+        EventKind::Choice => "choice",
+        EventKind::Bridge => "bridge",
     }
 }
 
 fn describe_event(text: &mut String, model: &Mechanism, event: &Event) -> fmt::Result {
     write!(text, "  {:.6} s {:7} ", event.t, kind(event))?;
+    if let Some(bridge) = &event.bridge {
+        return writeln!(
+            text,
+            "steps lead on to {:.6} s, with overlaps of {:.1e} at most",
+            bridge.until, bridge.overlap
+        );
+    }
+    if let Some(choice) = &event.choice {
+        write!(
+            text,
+            "{} of ",
+            count(choice.others.len() + 1, "motion", "motions")
+        )?;
+    }
     match &event.what {
         What::Contact {
             fixed,

@@ -17,6 +17,9 @@ pub(super) use watched::{Looked, Watched};
 const START: f64 = 1e-6;
 /// Shortest share of the step at which such a function is evaluated.
 const SHORTEST: f64 = 1e-12;
+/// Number of times that a step is cut where one of its stages has a force that its mode does not allow, each to a fifth or less: what is left
+/// begins with such a force.
+const MOST_CUTS: usize = 6;
 /// Share of the step before a closing gap at which other meetings are looked for: contacts nearer than this are closed
 /// as well.
 const JUST: f64 = 1e-12;
@@ -69,7 +72,13 @@ impl<W: World + ?Sized> Flow<'_, W> {
     /// equations of the modes have no solution.
     pub(super) fn step(&self, span: Span<'_>, longest: f64, looked: &Looked) -> Option<Stepped> {
         let before = self.watches(span.from, span.bearings, looked)?;
-        let (h, taken) = self.longest(span, longest)?;
+        let (mut h, mut taken) = self.longest(span, longest)?;
+        for _ in 0..MOST_CUTS {
+            let Some(sooner) = self.forbidden(&taken, h, span.bearings, looked) else {
+                break;
+            };
+            (h, taken) = (sooner, self.take(span, sooner)?);
+        }
         let next = h * (0.9 * taken.error.max(1e-10).powf(-0.2)).clamp(0.2, 5.0);
         let course = Course::new(self, span, h, &taken);
         let watches = self.watches(&taken.state, span.bearings, looked)?;

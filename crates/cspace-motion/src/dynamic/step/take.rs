@@ -28,6 +28,8 @@ pub(in super::super) struct Taken {
     pub(in super::super) work: [f64; 2],
     /// The rates and accelerations of all stages.
     pub(super) slopes: Vec<(DVector<f64>, DVector<f64>)>,
+    /// Of all stages the time since the start, and the forces λ_N and λ_T of the bearing contacts.
+    pub(super) forces: Vec<(f64, Vec<f64>, Vec<f64>)>,
 }
 
 impl<W: World + ?Sized> Flow<'_, W> {
@@ -35,6 +37,7 @@ impl<W: World + ?Sized> Flow<'_, W> {
     pub(in super::super) fn take(&self, span: Span<'_>, h: f64) -> Option<Taken> {
         let Span { from, bearings, .. } = span;
         let mut slopes: Vec<(DVector<f64>, DVector<f64>)> = Vec::with_capacity(7);
+        let mut forces = Vec::with_capacity(7);
         let mut work = [0.0; 2];
         let mut at = from.clone();
         // The weights of the last stage are those of the step.
@@ -47,6 +50,7 @@ impl<W: World + ?Sized> Flow<'_, W> {
                 work[0] += share * h * powers[0];
                 work[1] += share * h * powers[1];
             }
+            forces.push((at.t - from.t, solution.normal, solution.tangential));
             Some((at.v.clone(), solution.x))
         };
         slopes.push(slope(&at, 0)?);
@@ -79,6 +83,7 @@ impl<W: World + ?Sized> Flow<'_, W> {
             open,
             work,
             slopes,
+            forces,
         })
     }
 }

@@ -1,8 +1,9 @@
 //! Functions that end a step where they fall below 0.
 
-use super::super::flow::{Bearings, Flow};
+use super::super::flow::{Bearings, Flow, ZERO};
 use super::super::modes::{Mode, Solution};
 use super::super::world::{State, World};
+use super::take::Taken;
 
 /// Function of a contact whose change of sign is an event.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -111,6 +112,40 @@ impl<W: World + ?Sized> Flow<'_, W> {
 
     fn gap(&self, contact: usize, state: &State) -> f64 {
         self.world.touch(contact, state.t, &state.q).gap
+    }
+
+    /// The first time within a step at which a stage has a force that the mode of its contact does not allow, beyond rounding: one that
+    /// comes to its end and begins again within the step, as that of a box that slides over an edge and beyond, has no sign at its end.
+    pub(super) fn forbidden(
+        &self,
+        taken: &Taken,
+        h: f64,
+        bearings: &Bearings,
+        looked: &Looked,
+    ) -> Option<f64> {
+        let [(_, first_normal, first_tangential), later @ ..] = &taken.forces[..] else {
+            return None;
+        };
+        let mut times = Vec::new();
+        for (after, normal, tangential) in later {
+            let nothing = ZERO * normal.iter().fold(0.0_f64, |most, n| most.max(n.abs()));
+            let falls = |k: usize, contact: usize, mode: Mode| {
+                let friction = self.world.surface(contact).friction;
+                let below = |first: f64, now: f64| now < first.min(0.0) - nothing;
+                let reserve = |normal: f64, tangential: f64| friction * normal - tangential.abs();
+                below(first_normal[k], normal[k])
+                    || (mode == Mode::Stick
+                        && below(
+                            reserve(first_normal[k], first_tangential[k]),
+                            reserve(normal[k], tangential[k]),
+                        ))
+            };
+            let mut all = bearings.iter().enumerate();
+            if *after < h && all.any(|(k, b)| !looked.steady.contains(&b.0) && falls(k, b.0, b.1)) {
+                times.push(*after);
+            }
+        }
+        times.into_iter().reduce(f64::min)
     }
 
     /// Value of a function of the bearing contact at index `place`.

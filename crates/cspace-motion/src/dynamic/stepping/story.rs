@@ -92,7 +92,7 @@ impl Story {
 
     fn tell(&mut self, kind: EventKind, contact: usize, state: State) {
         let t = state.t;
-        self.events.push((Event { t, kind, contact }, state));
+        self.events.push((Event::of(t, kind, contact), state));
     }
 
     /// All events and their states, in order of time.

@@ -277,3 +277,36 @@ fn a_pile_goes_on() {
     assert_eq!(record.status, Status::Done, "{:?}", record.reason);
     balanced(&record, 100.0, 1e-9);
 }
+
+/// A box that slides over the edge of a table, without friction: it tips as its middle comes over the edge, however long the motion is and
+/// its steps are.
+#[test]
+fn a_box_tips_over_an_edge() {
+    for (k, until) in (12..=40).enumerate() {
+        let (half, height) = (0.3 + 0.04 * k as f64, 0.5 + 0.1 * k as f64);
+        let middle = -12.0;
+        let text = format!(
+            r#"
+            gravity = [0, -10]
+            friction = 0
+            [[part]]
+            name = "table"
+            motion = {{ type = "fixed" }}
+            loops = [[[-20, 0], [0, 0], [0, -50], [-20, -50]]]
+            [[part]]
+            name = "box"
+            mass = 1
+            rate = [1, 0, 0]
+            loops = [[[{}, 0], [{}, 0], [{}, {height}], [{}, {height}]]]"#,
+            middle - half,
+            middle + half,
+            middle + half,
+            middle - half,
+        );
+        let (_, record) = thrown(&text, f64::from(until) + 0.1, 0.1);
+        assert_eq!(record.status, Status::Done, "{until}: {:?}", record.reason);
+        let mut events = record.events.iter();
+        let tips = events.find(|e| e.kind == EventKind::Release).unwrap();
+        assert!((tips.t - 12.0).abs() < 1e-9, "{until}: {tips:?}");
+    }
+}
