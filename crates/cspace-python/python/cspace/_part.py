@@ -426,16 +426,28 @@ class Part:
     @property
     def fitted(self) -> float | None:
         """Of a part made of edges or CAD, how far its lines and arcs are from the curves, measured at many of their points: 0.0 where all
-        are lines and circles. None of other parts, and of those made of it."""
+        are lines and circles. None of other parts, and of those made of it.
+
+        >>> Part.from_edges([[((0, 0), (4, 0)), ((4, 0), (0, 3)), ((0, 3), (0, 0))]]).fitted
+        0.0
+        """
         return getattr(self, "_fitted", None)
 
     def to_build123d(self) -> Any:
-        """The part in build123d, with true arcs: a Sketch at z = 0, or of a part with heights the Part that its layers are."""
+        """The part in build123d, with true arcs: a Sketch at z = 0, or of a part with heights the Part that its layers are.
+
+        >>> Part.rectangle(4, 2).to_build123d().area  # doctest: +SKIP
+        8.0
+        """
         return _back.build123d(self)
 
     def to_cadquery(self) -> Any:
         """The part in CadQuery, with true arcs: a Workplane with its faces at z = 0, or with the solid that the layers of a part with
-        heights are."""
+        heights are.
+
+        >>> Part.rectangle(4, 2).to_cadquery().val().Area()  # doctest: +SKIP
+        8.0
+        """
         return _back.cadquery(self)
 
 
