@@ -14,25 +14,8 @@ use super::world::{Acting, State, World};
 
 /// Displacements in a step, as shares of the size: of the first bridges of a row, and of later ones.
 const SHARES: [f64; 3] = [1e-8, 1e-7, 1e-6];
-/// Number of bridges in a row that have the same length of steps.
-const ALIKE: usize = 4;
-/// Bridges are in a row if between two of them the motion comes no farther than this multiple of the first one's time.
-const FARTHER: f64 = 100.0;
 /// Number of steps of a bridge.
 const STEPS: usize = 16;
-/// There are no more bridges than that in a motion.
-const MOST: usize = 50_000;
-
-/// Bridges so far.
-#[derive(Debug, Default)]
-pub(super) struct Bridges {
-    /// Number of all.
-    all: usize,
-    /// Number of those in a row, between which the motion did not come much farther than by them.
-    in_a_row: usize,
-    /// The time of the last one.
-    last: [f64; 2],
-}
 
 /// An observer to whom the events of steps are not told: they are late or early by a step.
 struct Quiet<'o>(&'o mut dyn Observer);
@@ -52,19 +35,17 @@ impl Observer for Quiet<'_> {
 }
 
 impl<W: World + ?Sized> Run<'_, W> {
-    /// Goes on by steps for a short time. Returns whether it could.
-    pub(super) fn bridge(&mut self, options: &Options, observer: &mut dyn Observer) -> bool {
-        let [begin, end] = self.bridges.last;
-        if self.state.t > end + FARTHER * (end - begin) {
-            self.bridges.in_a_row = 0;
-        }
-        let row = self.bridges.in_a_row / ALIKE;
-        self.bridges.in_a_row += 1;
-        self.bridges.all += 1;
+    /// Goes on by steps for a short time, from where a contact leads no further. Returns whether it could.
+    pub(super) fn bridge(
+        &mut self,
+        contact: usize,
+        options: &Options,
+        observer: &mut dyn Observer,
+    ) -> bool {
         let left = options.until - self.state.t;
-        if self.bridges.all > MOST || left <= 0.0 {
+        let Some(row) = self.bridges.next(self.state.t).filter(|_| left > 0.0) else {
             return false;
-        }
+        };
         let world = self.flow.world;
         let far = SHARES[row.min(SHARES.len() - 1)] * world.size();
         let from = self.state.t;
@@ -86,13 +67,12 @@ impl<W: World + ?Sized> Run<'_, W> {
         self.look();
         observer.step(&self.state);
         let told = self.events.len();
-        let contact = self.bearings.first().map_or(0, |b| b.0);
         self.events.push(Event {
             bridge: Some([self.state.t, stepped.open]),
             ..Event::of(from, EventKind::Bridge, contact)
         });
         self.announce(told, observer);
-        self.bridges.last = [from, self.state.t];
+        self.bridges.ended(from, self.state.t);
         true
     }
 

@@ -9,6 +9,7 @@
 
 mod accumulate;
 mod bridge;
+mod bridges;
 mod choose;
 mod direct;
 mod flow;

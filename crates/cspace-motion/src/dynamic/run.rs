@@ -4,7 +4,7 @@ use nalgebra::DVector;
 
 use super::STILL;
 use super::accumulate::Impacts;
-use super::bridge::Bridges;
+use super::bridges::Bridges;
 use super::flow::{Bearings, Flow};
 use super::motion::{Ended, Event, Motion, Observer, Options, Work};
 use super::step::{Looked, Span};
@@ -201,12 +201,19 @@ impl<W: World + ?Sized> Run<'_, W> {
         self.is_led = joints.nrows() > 0 && joints.is_square();
         observer.step(&self.state);
         loop {
-            let ended = match self.advance(options, corners, observer) {
-                Err(ended @ Ended::Stuck { .. }) if !options.strict => ended,
+            let contacts = match self.advance(options, corners, observer) {
+                Err(Ended::Stuck { contacts }) if !options.strict => contacts,
                 ended => return ended,
             };
-            if !self.bridge(options, observer) {
-                return Err(ended);
+            if !observer.goes_on(self.state.t) {
+                return Err(Ended::Interrupted);
+            }
+            // Without contacts a pair has left its space, or joints cannot hold.
+            let leads_on = contacts
+                .first()
+                .is_some_and(|&i| self.bridge(i, options, observer));
+            if !leads_on {
+                return Err(Ended::Stuck { contacts });
             }
         }
     }

@@ -59,7 +59,7 @@ impl Gathering<'_> {
     }
 }
 
-/// What modes of contacts are in a record.
+/// Conduct of contacts in modes.
 fn conducts(modes: &[Mode]) -> Vec<Conduct> {
     let one = |mode: &Mode| match mode {
         Mode::Open => Conduct::Opens,

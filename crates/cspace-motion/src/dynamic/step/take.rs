@@ -28,7 +28,7 @@ pub(in super::super) struct Taken {
     pub(in super::super) work: [f64; 2],
     /// The rates and accelerations of all stages.
     pub(super) slopes: Vec<(DVector<f64>, DVector<f64>)>,
-    /// Of all stages the time since the start, and the forces λ_N and λ_T of the bearing contacts.
+    /// The time since the start of all stages, and the forces λ_N and λ_T of the bearing contacts.
     pub(super) forces: Vec<(f64, Vec<f64>, Vec<f64>)>,
 }
 

@@ -1,0 +1,38 @@
+//! The bridges of a motion: how many there are, and how many in a row.
+
+/// Number of bridges in a row that have the same length of steps.
+const ALIKE: usize = 4;
+/// Bridges are in a row if between two of them the motion comes no farther than this multiple of the first one's time.
+const FARTHER: f64 = 100.0;
+/// There are no more bridges than that in a motion.
+const MOST: usize = 50_000;
+
+/// Bridges so far.
+#[derive(Debug, Default)]
+pub(super) struct Bridges {
+    /// Number of all.
+    all: usize,
+    /// Number of those in a row, between which the motion did not come much farther than by them.
+    in_a_row: usize,
+    /// The time of the last one.
+    last: [f64; 2],
+}
+
+impl Bridges {
+    /// Begins a bridge at a time; returns how often, in its row, steps were made longer. `None` if there are too many.
+    pub(super) fn next(&mut self, t: f64) -> Option<usize> {
+        let [begin, end] = self.last;
+        if t > end + FARTHER * (end - begin) {
+            self.in_a_row = 0;
+        }
+        let longer = self.in_a_row / ALIKE;
+        self.in_a_row += 1;
+        self.all += 1;
+        (self.all <= MOST).then_some(longer)
+    }
+
+    /// Ends the bridge.
+    pub(super) fn ended(&mut self, from: f64, until: f64) {
+        self.last = [from, until];
+    }
+}
