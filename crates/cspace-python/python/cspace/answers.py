@@ -1454,12 +1454,36 @@ class Energy(Record):
     """Kinetic energy, and the potential energy of weights, loads and springs, at the start."""
 
 
+class Bridge(Record):
+    """A time that steps lead over."""
+
+    overlap: float
+    """The largest overlap of parts in it, in the model's unit of length."""
+    until: float
+    """The end of the time, in seconds."""
+
+
+class Choice(Record):
+    """Motions that all agree with the laws of contact and friction, and the one that is taken: that with the least energy of the change, then with the least forces, then the first."""
+
+    contacts: list[dict[str, Any]]
+    """The contacts and limits concerned."""
+    others: list[list[Literal['opens', 'sticks', 'slides', 'slides-back']]]
+    """Conduct of each in the other motions."""
+    taken: list[Literal['opens', 'sticks', 'slides', 'slides-back']]
+    """Conduct of each in the motion that is taken."""
+
+
 class Event(Record):
     """Something that happens."""
 
     at: list[float] | None
     """Position, in the assembly's frame; `None` for limits."""
-    kind: Literal['impact', 'touch', 'release', 'stick', 'slip', 'rest', 'limit', 'snap', 'jam']
+    bridge: Bridge | None
+    """Extent of a bridge."""
+    choice: Choice | None
+    """Possible motions, of a choice."""
+    kind: Literal['impact', 'touch', 'release', 'stick', 'slip', 'rest', 'limit', 'snap', 'jam', 'choice', 'bridge']
     """Kind of the event."""
     t: float
     """Time, in seconds."""
@@ -1696,6 +1720,7 @@ Moved._read = {'at': configuration}
 PlayOfPair._read = {'at': configuration, 'directions': Direction, 'motion': Moved, 'near': Near}
 PlayAnswer._read = {'pairs': PlayOfPair, 'units': Units}
 Period._read = {'parts': each_of(InCycle)}
+Event._read = {'bridge': Bridge, 'choice': Choice}
 Forces._read = {'contacts': ContactForce, 'drives': DriveForce, 'joints': JointForce}
 Row._read = {'forces': Forces}
 SimulateAnswer._read = {'contacts': ContactInterval, 'cycle': Period, 'energy': Energy, 'events': Event, 'gaps': Gap, 'model': MadeOf, 'obstacles': Obstacle, 'samples': Row, 'units': Units}
