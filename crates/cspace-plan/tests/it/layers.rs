@@ -155,38 +155,3 @@ fn a_compound_train_meshes_twice() {
     let pairs = ranges::Pairs::of(&train).near(f64::INFINITY);
     assert_eq!(pairs, [[0, 1], [1, 2]]);
 }
-
-#[test]
-fn zz_bad() {
-    let mut counts = std::collections::BTreeMap::new();
-    let mut files: Vec<_> = std::fs::read_dir("/tmp/bad")
-        .unwrap()
-        .map(|f| f.unwrap().path())
-        .collect();
-    files.sort();
-    for f in files {
-        let Ok(m) = from_toml(&std::fs::read_to_string(&f).unwrap(), "x.toml") else {
-            continue;
-        };
-        if m.parts.len() < 2 {
-            continue;
-        }
-        let parts = [&m.parts[0], &m.parts[1]];
-        let Some(pair) = ranges::Pair::new(parts, [0.0, 0.0]) else {
-            continue;
-        };
-        let v = pair.over_ranges(f64::INFINITY, &compute_anew(&Silent));
-        let word = match &v {
-            Ok(Verdict::Undecided(_)) => "undecided",
-            Ok(_) => "ok",
-            Err(_) => "error",
-        };
-        *counts.entry(word).or_insert(0) += 1;
-        let name = f.file_name().unwrap().to_string_lossy().into_owned();
-        println!(
-            "{name} {}",
-            format!("{v:?}").chars().take(160).collect::<String>()
-        );
-    }
-    println!("{counts:?}");
-}

@@ -200,7 +200,9 @@ impl<W: World + ?Sized> Flow<'_, W> {
                 watches[j].value = 0.0;
             }
             if h >= end.h {
-                break;
+                // It is found: others may fall before.
+                ignored.push(k);
+                continue;
             }
             *end = End { h, taken, watches };
         }
