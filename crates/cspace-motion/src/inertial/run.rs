@@ -123,13 +123,11 @@ pub(crate) fn run(
             };
             (Status::Undetermined, Some(why))
         }
-        Ended::Folded => (
-            Status::Undetermined,
-            Some(
-                "the joints come to a dead point or a change point: from there parts can go on in more than one way, or in none"
-                    .to_owned(),
-            ),
-        ),
+        Ended::Folded => {
+            let at = bodies.system.dead_point(&bodies.all(&motion.last).q);
+            let why = format!("{at}, or a change point: from there parts can go on in more than one way, or in none");
+            (Status::Undetermined, Some(why))
+        }
         Ended::Coarse { displacement } => (
             Status::Undetermined,
             Some(format!(

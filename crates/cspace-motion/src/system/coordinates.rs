@@ -363,6 +363,15 @@ impl System {
         row
     }
 
+    /// A joint between two parts that move.
+    pub(super) fn joint(&self, k: usize) -> &JointEntry {
+        &self.joints[k]
+    }
+
+    pub(super) fn joint_count(&self) -> usize {
+        self.joints.len()
+    }
+
     /// The equations of all joints: 0 where they hold, in the model's unit of length.
     pub fn joints<T: Real>(&self, q: &[T]) -> Vec<Row<T>> {
         (self.joints.iter())

@@ -1,6 +1,7 @@
 //! A mechanism as a system of coordinates, with what constrains them and what pushes.
 
 mod coordinates;
+mod dead_point;
 mod force;
 mod hand;
 mod joint;

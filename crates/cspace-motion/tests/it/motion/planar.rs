@@ -157,6 +157,11 @@ fn a_slider_crank_jams_at_a_dead_point() {
         "{}",
         record.until
     );
+    let why = record.reason.unwrap();
+    assert!(
+        why.starts_with("crank and rod are in line, a dead point, where slider is at 2.4174"),
+        "{why}"
+    );
 }
 
 /// Joints that do not meet, and parts that overlap, are reported by name.
