@@ -20,9 +20,15 @@ impl System {
                 .drives()
                 .iter()
                 .find(|d| part.indices().contains(&d.0))?;
+            // Rounded first, so that nothing is shown as less than 0.
+            let rounded = |x: f64, decimals: f64| (x * decimals).round() / decimals + 0.0;
             Some(match part.orientation() == Some(*k) {
-                true => format!("{} is at {:.4} deg", name(i), q[*k].to_degrees()),
-                false => format!("{} is at {:.6}", name(i), q[*k]),
+                true => format!(
+                    "{} is at {:.4} deg",
+                    name(i),
+                    rounded(q[*k].to_degrees(), 1e4)
+                ),
+                false => format!("{} is at {:.6}", name(i), rounded(q[*k], 1e6)),
             })
         };
         let drives: Vec<String> = self.parts().iter().enumerate().filter_map(driven).collect();

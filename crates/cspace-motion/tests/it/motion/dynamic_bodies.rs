@@ -310,3 +310,49 @@ fn a_box_tips_over_an_edge() {
         assert!((tips.t - 12.0).abs() < 1e-9, "{until}: {tips:?}");
     }
 }
+
+/// Two boxes that slide on a floor, far from each other, stop each by itself, after v²/(2 μ g): neither hides when the other does, nor the
+/// feet of one when the other foot does.
+#[test]
+fn boxes_stop_by_themselves() {
+    for k in 0..24 {
+        let speeds = [
+            0.7 + 0.13 * f64::from(k),
+            -0.4 - 0.11 * f64::from((7 * k) % 24),
+        ];
+        let text = format!(
+            r#"
+            gravity = [0, -9.81]
+            friction = 0.5
+            [[part]]
+            name = "floor"
+            motion = {{ type = "fixed" }}
+            loops = [[[-90, -1], [90, -1], [90, 0], [-90, 0]]]
+            [[part]]
+            name = "a"
+            mass = 1
+            rate = [{}, 0, 0]
+            loops = [[[0, 0], [1, 0], [1, 1], [0, 1]]]
+            [[part]]
+            name = "b"
+            mass = 1
+            rate = [{}, 0, 0]
+            loops = [[[-20, 0], [-19, 0], [-19, 1], [-20, 1]]]"#,
+            speeds[0], speeds[1],
+        );
+        for time in [1.0, 2.0, 3.0] {
+            let (_, record) = thrown(&text, time, 0.1);
+            assert_eq!(record.status, Status::Done, "{:?}", record.reason);
+            let last = record.samples.last().unwrap();
+            for (x, speed) in [last.coordinates[0], last.coordinates[3]]
+                .into_iter()
+                .zip(speeds)
+            {
+                let slows = 0.5 * 9.81;
+                let until = time.min(speed.abs() / slows);
+                let way = (speed.abs() - 0.5 * slows * until) * until * speed.signum();
+                assert!((x - way).abs() < 1e-9, "{speeds:?} {time}: {x} {way}");
+            }
+        }
+    }
+}
