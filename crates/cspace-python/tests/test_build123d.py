@@ -4,6 +4,7 @@ import math
 import re
 import subprocess
 import sys
+import warnings
 
 import pytest
 from conftest import ROOT
@@ -60,6 +61,16 @@ CURVES = {
     "around an ellipse": cad.offset(cad.Ellipse(10, 5), 1),
     "bezier": cad.make_face(cad.Bezier((0, 0), (3, 8), (9, 1)) + cad.Line((9, 1), (0, 0))),
 }
+
+
+def test_curves_of_an_assembly_are_said():
+    """Two ellipses that overlap by less than their fit: what is answered is not theirs alone, and a warning says so."""
+    plate = cad.extrude(cad.Ellipse(10, 4), 3)
+    with pytest.warns(UserWarning, match=r"part 0, part 1: .* not told apart: give a smaller `tol`"):
+        cs.Model.from_assembly([plate, cad.Pos(3, 7.9) * plate])
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        cs.Model.from_assembly([cad.Box(4, 4, 2), cad.Pos(9, 0) * cad.Cylinder(2, 2)])
 
 
 @pytest.mark.parametrize("tol", [1e-2, 1e-4])

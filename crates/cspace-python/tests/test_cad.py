@@ -194,7 +194,7 @@ def test_gaps_are_closed_within_join_alone():
 
 
 def test_a_joint_becomes_a_motion_with_its_range(hinge):
-    made = _assembly.model(hinge, TOL, None, None, None, JOIN)
+    made = _assembly.model(hinge, TOL, None, None, None, JOIN)[0]
     base, arm, bolt = made["part"]
     assert base["motion"] == {"type": "fixed"}
     assert arm["motion"]["type"] == "revolute" and np.allclose(arm["motion"]["center"], 0, atol=1e-12)
@@ -204,7 +204,7 @@ def test_a_joint_becomes_a_motion_with_its_range(hinge):
 
 def test_a_joint_whose_axis_points_down_turns_the_other_way(mechanisms):
     def ranges(ground):
-        made = _assembly.model(mechanisms["door"], TOL, None, ground, None, JOIN)
+        made = _assembly.model(mechanisms["door"], TOL, None, ground, None, JOIN)[0]
         return {p["name"]: p["motion"].get("range") for p in made["part"]}
 
     # 30° of 120° have passed, clockwise.
@@ -237,7 +237,7 @@ def test_parts_of_cadquery_are_free_unless_a_motion_is_given(monkeypatch):
     tape = Replay(RECORDED / "cadquery.json").roots
     monkeypatch.setitem(sys.modules, "cadquery", tape["module"])
     two = tape["assemblies"]["two"]
-    base, arm = _assembly.model(two, TOL, None, None, None, JOIN)["part"]
+    base, arm = _assembly.model(two, TOL, None, None, None, JOIN)[0]["part"]
     assert (base["name"], base["motion"]) == ("base", {"type": "fixed"}) and (arm["name"], arm["motion"]) == ("arm", {"type": "planar"})
     model = cs.Model.from_assembly(two, motion={"arm": {"type": "revolute", "center": [20, 0]}})
     (pair,) = model.clearance().pairs

@@ -52,7 +52,8 @@ def window(theta: Sequence[float] | None) -> tuple[float, float] | None:
 def number(name: str, value: Any, least: float = -np.inf, most: float = np.inf) -> float:
     """A finite number, at least `least` and at most `most`."""
     try:
-        found = float(value)
+        # A text is none, though Python reads it.
+        found = math.nan if isinstance(value, (str, bytes)) else float(value)
     except (TypeError, ValueError, OverflowError):
         raise Error(f"`{name}` is {value!r} where a number is expected") from None
     if not np.isfinite(found) or not least <= found <= most:

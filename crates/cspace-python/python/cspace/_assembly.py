@@ -185,8 +185,10 @@ class _Reader:
         return span, min(max(passed, 0.0), span)
 
 
-def model(assembly: Any, tol: float, plane: Any, ground: str | None, motion: Mapping[str, Any] | None, join: float) -> dict[str, Any]:
-    """The model of an assembly, as in a model file."""
+def model(
+    assembly: Any, tol: float, plane: Any, ground: str | None, motion: Mapping[str, Any] | None, join: float
+) -> tuple[dict[str, Any], str | None]:
+    """The model of an assembly, as in a model file, and what is to be known of its curves, if there are some."""
     up = np.eye(3)
     frame = _cad.Frame.of(np.zeros(3), up[2], up[0]) if plane is None else _cad.Frame.given(plane)
     placed = _named(list(_placed(assembly)))
@@ -237,4 +239,12 @@ def model(assembly: Any, tol: float, plane: Any, ground: str | None, motion: Map
             entry["motion"] = motions.get(name, free)
         entries.append(entry)
     label = getattr(assembly, "label", None) or getattr(assembly, "name", None) or "assembly"
-    return {"name": label, "unit": "mm", "part": entries, **({"joint": kept} if kept else {})}
+    made = {"name": label, "unit": "mm", "part": entries, **({"joint": kept} if kept else {})}
+    fitted = {name: part.fitted for name, part in parts.items() if part.fitted}
+    if not fitted:
+        return made, None
+    farthest = max(fitted, key=lambda name: fitted[name] or 0.0)
+    return made, (
+        f"{', '.join(fitted)}: lines and arcs follow curves that are neither within {fitted[farthest]:.2g} mm; "
+        f"gaps and overlaps of less than twice that are not told apart"
+    )

@@ -148,6 +148,8 @@ def fit(
     these = None
     if orientations is not None:
         these = [angle("orientations", theta) for theta in column("orientations", orientations).ravel().tolist()]
+        if not these:
+            raise Error("`orientations` is empty: give angles in radians, or leave it out")
     pairs = [(one._part, at) for one, at in _placed("placed", placed)]
     grown = _spaced(_part("part", part), spacing)
     outer = _part("container", container)._part

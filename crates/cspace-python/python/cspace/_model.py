@@ -3,6 +3,7 @@
 import json
 import os
 import sys
+import warnings
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
@@ -467,9 +468,13 @@ class Model:
 
         >>> Model.from_assembly(hinge, motion={"leaf": {"type": "revolute", "center": [0, 0]}})  # doctest: +SKIP
 
-        Parts are called by their labels, and numbered where several have the same.
+        Parts are called by their labels, and numbered where several have the same. Curves other than lines and circles are followed within
+        `tol`, and a warning says how near.
         """
-        return cls.loads(json.dumps(_assembly.model(assembly, tol, plane, ground, motion, join)), "assembly.json")
+        made, note = _assembly.model(assembly, tol, plane, ground, motion, join)
+        if note is not None:
+            warnings.warn(f"{note}: give a smaller `tol`", stacklevel=2)
+        return cls.loads(json.dumps(made), "assembly.json")
 
 
 class _Parts(dict[str, Part]):

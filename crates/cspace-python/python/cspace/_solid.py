@@ -80,7 +80,8 @@ class Solid:
             more = f" and {len(slanted) - 1} more" if len(slanted) > 1 else ""
             raise Error(
                 f"{slanted[0].called()}{more} is neither horizontal nor upright: the section changes there"
-                "\nhelp: take off chamfers and fillets of horizontal edges; Part.from_solid gives the section at one height, `z`"
+                "\nhelp: take off chamfers and fillets of horizontal edges, or give the `plane` in which the parts move; "
+                "Part.from_solid gives the section at one height, `z`"
             )
         levels = sorted({round(f.lo, _DIGITS) for f in self.faces if f.is_level(self.join)})
         cut = [((lo, hi), self._cut((lo + hi) / 2)) for lo, hi in zip(levels, levels[1:])]

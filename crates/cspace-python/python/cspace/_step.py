@@ -42,11 +42,13 @@ def _model(path: str) -> str:
     """The model of a STEP file: its parts where they stand, without joints, which STEP has none of."""
     try:
         assembly = _read(path)
-        made = _assembly.model(assembly, 1e-3, None, None, None, _wires.JOIN)
+        made, note = _assembly.model(assembly, 1e-3, None, None, None, _wires.JOIN)
     except Error as error:
         raise Error(str(error) if str(error).startswith(path) else f"{path}: {error}") from None
     except Exception as error:
         raise Error(f"{path}: it cannot be read: {error}\nhelp: export it again from the program that made it") from error
+    if note is not None:
+        print(f"note: {path}: {note}", file=sys.stderr)
     return json.dumps(made)
 
 
