@@ -135,3 +135,20 @@ pub(crate) fn balanced(record: &Record, through: f64, share: f64) {
     let energy = record.energy.unwrap();
     near("drift of energy", energy.drift / through, 0.0, share);
 }
+
+/// A generator of numbers from 0 to 1, the same everywhere.
+pub(crate) struct Dice(pub(crate) u64);
+
+impl Dice {
+    pub(crate) fn roll(&mut self) -> f64 {
+        self.0 = self
+            .0
+            .wrapping_mul(6364136223846793005)
+            .wrapping_add(1442695040888963407);
+        (self.0 >> 11) as f64 / (1_u64 << 53) as f64
+    }
+
+    pub(crate) fn between(&mut self, lo: f64, hi: f64) -> f64 {
+        lo + (hi - lo) * self.roll()
+    }
+}

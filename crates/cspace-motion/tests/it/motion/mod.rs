@@ -14,6 +14,7 @@ mod dynamic_seams;
 mod free_space;
 mod friction;
 mod hand;
+mod heaps;
 mod helpers;
 mod hostile;
 mod invariance;

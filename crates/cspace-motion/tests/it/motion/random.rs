@@ -4,24 +4,7 @@ use cspace::{Part, Vertex};
 use cspace_model::PartEntry;
 use cspace_motion::Status;
 
-use crate::motion::helpers::{driven, mechanism, run};
-
-/// A generator of numbers from 0 to 1, the same everywhere.
-struct Dice(u64);
-
-impl Dice {
-    fn roll(&mut self) -> f64 {
-        self.0 = self
-            .0
-            .wrapping_mul(6364136223846793005)
-            .wrapping_add(1442695040888963407);
-        (self.0 >> 11) as f64 / (1_u64 << 53) as f64
-    }
-
-    fn between(&mut self, lo: f64, hi: f64) -> f64 {
-        lo + (hi - lo) * self.roll()
-    }
-}
+use crate::motion::helpers::{Dice, driven, mechanism, run};
 
 /// A convex part of lines and arcs about a centre.
 fn pebble(dice: &mut Dice, name: &str, (x, y): (f64, f64)) -> Part {
