@@ -39,6 +39,20 @@ impl Problem<'_> {
         }
     }
 
+    /// Indices of the contacts that contradict by themselves: with one of them alone there is no solution, as where a rod is pushed over a
+    /// rough floor (Painlevé). Where each alone has one, that all together have none may be due to rounding, or to what Lemke's method did
+    /// not find.
+    pub(super) fn contradictions(&self) -> Vec<usize> {
+        let contradicts = |k: &usize| {
+            let alone = Self {
+                bearings: vec![self.bearings[*k].clone()],
+                ..self.clone()
+            };
+            alone.solutions().is_empty()
+        };
+        (0..self.bearings.len()).filter(contradicts).collect()
+    }
+
     /// Solutions for all combinations of modes.
     fn enumerated(&self, reduced: &Reduced) -> Vec<Solution> {
         let mut found: Vec<Solution> = Vec::new();

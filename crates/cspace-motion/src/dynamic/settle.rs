@@ -426,8 +426,13 @@ impl<W: World + ?Sized> Run<'_, W> {
         contacts: &[usize],
     ) -> Result<(Solution, Option<Choice>), Ended> {
         match solutions.len() {
-            0 => Err(Ended::Inconsistent {
-                contacts: contacts.to_vec(),
+            0 => Err(match &problem.contradictions()[..] {
+                [] => Ended::Stuck {
+                    contacts: contacts.to_vec(),
+                },
+                some => Ended::Inconsistent {
+                    contacts: some.iter().map(|&k| contacts[k]).collect(),
+                },
             }),
             1 => Ok((solutions.remove(0), None)),
             _ => (problem.chosen(solutions, contacts).filter(|_| !self.strict))
