@@ -141,7 +141,7 @@ pub fn run_through<W: World + ?Sized>(
 }
 
 /// Contacts that end a step at an event, by reason.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone)]
 pub(super) struct Reached {
     /// Contacts whose sliding has come to its end: they do not slide at this moment, regardless of rounding.
     pub(super) halted: Vec<usize>,

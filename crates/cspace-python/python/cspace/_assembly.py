@@ -240,11 +240,10 @@ def model(
         entries.append(entry)
     label = getattr(assembly, "label", None) or getattr(assembly, "name", None) or "assembly"
     made = {"name": label, "unit": "mm", "part": entries, **({"joint": kept} if kept else {})}
-    fitted = {name: part.fitted for name, part in parts.items() if part.fitted}
+    fitted = {name: off for name, part in parts.items() if (off := part.fitted)}
     if not fitted:
         return made, None
-    farthest = max(fitted, key=lambda name: fitted[name] or 0.0)
     return made, (
-        f"{', '.join(fitted)}: lines and arcs follow curves that are neither within {fitted[farthest]:.2g} mm; "
-        f"gaps and overlaps of less than twice that are not told apart"
+        f"{', '.join(fitted)}: curves that are no lines or circles are followed within {max(fitted.values()):.2g} mm; "
+        "gaps and overlaps of less than twice that are not told apart"
     )

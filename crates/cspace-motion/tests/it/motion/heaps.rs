@@ -82,7 +82,9 @@ fn four_boxes_come_to_rest_in_a_bin() {
     let rates = &record.samples.last().unwrap().rates;
     assert!(rates.iter().all(|v| v.abs() < 1e-6), "{rates:?}");
     // Several motions agree with friction there, and the event says which.
-    let chosen = record.events.iter().filter(|e| e.kind == EventKind::Choice);
+    let all = record.events.iter();
+    let chosen: Vec<_> = all.filter(|e| e.kind == EventKind::Choice).collect();
+    assert!(!chosen.is_empty());
     for event in chosen {
         let choice = event.choice.as_ref().unwrap();
         assert_eq!(choice.taken.len(), choice.contacts.len());
