@@ -12,7 +12,9 @@
 //! For an arc of more than half a turn the functions are correct only near the ends they belong to, where they are
 //! evaluated.
 
-use cspace::{Coordinates, FeatureId, FeatureKind, FeatureName, Part, Placement, Point, Vector};
+use cspace::{
+    Coordinates, FeatureId, FeatureKind, FeatureName, FeatureShape, Part, Placement, Point, Vector,
+};
 
 use crate::pairs::{MovingPair, Touch};
 use crate::system::System;
@@ -47,6 +49,33 @@ pub(crate) fn ends(pair: &MovingPair, touch: &Touch, system: &System, q: &[f64])
         of(pair.space.moving(), m, &moving),
     ];
     both.into_iter().flatten().flatten().collect()
+}
+
+/// Whether two features that touch go past an end of one of them from one configuration to another: where features bend slowly, the space
+/// still reports the contact for some distance.
+pub(crate) fn goes_past(
+    pair: &MovingPair,
+    touch: &Touch,
+    system: &System,
+    way: [&[f64]; 2],
+) -> bool {
+    let (f, m) = touch.features;
+    let long = [
+        is_long(pair.space.fixed(), f),
+        is_long(pair.space.moving(), m),
+    ];
+    let [before, after] = way.map(|q| ends(pair, touch, system, q));
+    let mut each = before
+        .into_iter()
+        .zip(after)
+        .enumerate()
+        .filter(|(k, _)| !long[k / 2]);
+    each.any(|(_, (before, after))| after <= -PAST_END && after < before)
+}
+
+/// Whether an edge is an arc of more than half a turn, whose end functions are correct only near the ends.
+pub(super) fn is_long(part: &Part, feature: FeatureId) -> bool {
+    matches!(part.feature_shape(feature.name), Some(FeatureShape::Edge { bulge, .. }) if bulge.abs() > 1.0)
 }
 
 /// The place and the outward normal of a contact, in a part's frame.

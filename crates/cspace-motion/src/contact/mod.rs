@@ -22,8 +22,8 @@ pub(crate) use bound::{
 };
 pub(crate) use corner::one_is_enough;
 pub(crate) use describe::named;
-pub(crate) use ends::{PAST_END, ends};
-pub(crate) use overlap::{is_long, overlapping};
+pub(crate) use ends::{PAST_END, ends, goes_past};
+pub(crate) use overlap::overlapping;
 pub(crate) use path::Path;
 pub(crate) use pinch::pinched;
 pub(crate) use start::{check_start, depth, names, overlap_at_start, overlap_error};

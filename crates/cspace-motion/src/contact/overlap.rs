@@ -12,13 +12,13 @@
 //!                                a
 //! ```
 
-use cspace::{FeatureId, FeatureKind, FeatureShape, Part, Point};
+use cspace::{FeatureKind, Point};
 
 use crate::pairs::{MovingPair, Pairs, Touch};
 use crate::system::System;
 
 use super::bound::{Bound, limit_tolerance, limits};
-use super::ends::ends;
+use super::ends::{ends, is_long};
 
 /// Contacts whose places are closer than this multiple of the displacement are at one corner.
 const ONE_CORNER: f64 = 8.0;
@@ -111,9 +111,4 @@ fn judged(
         place,
         past,
     })
-}
-
-/// Whether an edge is an arc of more than half a turn, whose end functions are correct only near the ends.
-pub(crate) fn is_long(part: &Part, feature: FeatureId) -> bool {
-    matches!(part.feature_shape(feature.name), Some(FeatureShape::Edge { bulge, .. }) if bulge.abs() > 1.0)
 }

@@ -8,7 +8,7 @@ use cspace_model::SpringKind;
 use nalgebra::{DMatrix, DVector};
 
 use crate::contact::{
-    Bound, LONGEST, PAST_END, Path, SAME_PLACE, Watch, ends, is_long, nearly_touching,
+    Bound, LONGEST, PAST_END, Path, SAME_PLACE, Watch, ends, goes_past, nearly_touching,
     nearly_touching_of, one_is_enough, overlapping, touching,
 };
 use crate::dynamic::{Acting, Equations, Joints, Sought, State, Step, Surface, Touch, World};
@@ -160,8 +160,7 @@ impl<'a> Mechanical<'a> {
         ))
     }
 
-    /// Whether a bearing contact has gone past an end of its features: where these bend slowly, the space still reports
-    /// the contact for some distance.
+    /// Whether a bearing contact has gone past an end of its features.
     fn is_past(&self, step: &Step<'_>) -> bool {
         let system = &self.bodies.system;
         let contacts = step.bearing.iter().filter_map(|&i| match self.bound(i) {
@@ -173,18 +172,8 @@ impl<'a> Mechanical<'a> {
             return false;
         }
         let [from, to] = [step.from, step.to].map(|s| self.bodies.coordinates(s.t, &s.q));
-        contacts.any(|touch| {
-            let pair = &self.pairs.list()[touch.pair];
-            let (f, m) = touch.features;
-            let long = [
-                is_long(pair.space.fixed(), f),
-                is_long(pair.space.moving(), m),
-            ];
-            let [before, after] = [&from, &to].map(|q| ends(pair, &touch, system, q));
-            let each = before.into_iter().zip(after).enumerate();
-            let mut known = each.filter(|(k, _)| !long[k / 2]);
-            known.any(|(_, (before, after))| after <= -PAST_END && after < before)
-        })
+        contacts
+            .any(|touch| goes_past(&self.pairs.list()[touch.pair], &touch, system, [&from, &to]))
     }
 
     fn held(&self, step: &Step<'_>) -> Vec<Bound> {

@@ -1,6 +1,6 @@
 //! Check of a step of the motion.
 
-use crate::contact::{Bound, Path, Watch, limit_tolerance, limits};
+use crate::contact::{Bound, Path, Watch, goes_past, limit_tolerance, limits};
 
 use super::flow::{Arrived, Flow};
 use super::friction::agrees;
@@ -17,7 +17,7 @@ pub(super) enum Obstacle {
     Friction,
     /// A part left its range.
     Limit,
-    /// The parts of a pair met, or do not touch as they did.
+    /// The parts of a pair met, do not touch as they did, or went past the end of a feature.
     Pair(usize),
     /// The step's error is too large.
     Error,
@@ -63,8 +63,17 @@ fn own_obstacle(flow: &Flow<'_>, to: &Arrived) -> Option<Obstacle> {
         }
         Bound::Contact(_) | Bound::Brake { .. } => false,
     };
-    let left = limits(flow.system, &to.q).iter().any(leaves);
-    left.then_some(Obstacle::Limit)
+    if limits(flow.system, &to.q).iter().any(leaves) {
+        return Some(Obstacle::Limit);
+    }
+    flow.held.iter().find_map(|bound| match bound {
+        Bound::Contact(touch) => {
+            let pair = &flow.pairs.list()[touch.pair];
+            goes_past(pair, touch, flow.system, [&flow.q, &to.q])
+                .then_some(Obstacle::Pair(touch.pair))
+        }
+        Bound::Limit { .. } | Bound::Brake { .. } => None,
+    })
 }
 
 /// The path of a step.

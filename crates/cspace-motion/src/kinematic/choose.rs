@@ -8,6 +8,7 @@
 use cspace::Point;
 
 use crate::contact::{Bound, SAME_PLACE, Watch, brakes};
+use crate::linear::length;
 use crate::pairs::Pairs;
 use crate::system::{Law, Row, System};
 
@@ -101,7 +102,21 @@ fn rubbing<'a>(
     q: &[f64],
     longest: f64,
 ) -> Choice<'a> {
-    let states = states(pairs, bounds, before).into_iter();
+    let near = SAME_PLACE * system.size();
+    // Where edges join smoothly, both touch at one place and push alike.
+    let alike = |a: &Bound, b: &Bound| {
+        let (Bound::Contact(s), Bound::Contact(t)) = (a, b) else {
+            return false;
+        };
+        let places = [a, b].map(|bound| place(system, pairs, bound, q));
+        let close = |(p, r): (Point, Point)| p.distance(r) <= near;
+        s.pair == t.pair && places[0].zip(places[1]).is_some_and(close) && {
+            let [a, b] = [a, b].map(|bound| local.reduced(&bound.function(system, pairs, q)).0);
+            let apart: Vec<f64> = a.iter().zip(&b).map(|(a, b)| a - b).collect();
+            length(&apart) <= SAME_PLACE * length(&a)
+        }
+    };
+    let states = states(pairs, bounds, before, &alike).into_iter();
     let is_possible = |held: &Vec<Bound>| is_possible(system, pairs, held, local, q);
     let goes_on = |held: &[Bound], scale: f64| {
         let (flow, next) = tries(system, pairs, held.to_vec(), time, q, scale, longest)?;
@@ -169,6 +184,14 @@ fn is_possible(
     }
 }
 
+/// Place of a contact, in the assembly's frame; `None` of other bounds.
+fn place(system: &System, pairs: &Pairs, bound: &Bound, q: &[f64]) -> Option<Point> {
+    match bound {
+        Bound::Contact(touch) => pairs.list()[touch.pair].point(touch, system, q).ok(),
+        Bound::Limit { .. } | Bound::Brake { .. } => None,
+    }
+}
+
 fn among<'a>(
     system: &'a System,
     pairs: &'a Pairs,
@@ -182,10 +205,6 @@ fn among<'a>(
         .iter()
         .map(|b| b.function(system, pairs, q))
         .collect();
-    let place = |bound: &Bound| match bound {
-        Bound::Contact(touch) => pairs.list()[touch.pair].point(touch, system, q).ok(),
-        Bound::Limit { .. } | Bound::Brake { .. } => None,
-    };
     // Where forces balance, what is pushed off the end of its range may be carried by either.
     let balances = system.law() == Law::Balance;
     let contacts: Vec<usize> = (0..bounds.len())
@@ -195,7 +214,9 @@ fn among<'a>(
             Bound::Brake { .. } => false,
         })
         .collect();
-    let places: Vec<Option<Point>> = contacts.iter().map(|&i| place(&bounds[i])).collect();
+    let places: Vec<Option<Point>> = (contacts.iter())
+        .map(|&i| place(system, pairs, &bounds[i], q))
+        .collect();
     let near = SAME_PLACE * system.size();
     let has_other = |k: usize, left_out: &[usize]| {
         (0..contacts.len()).any(|other| {

@@ -85,38 +85,57 @@ pub(super) fn tangential(pairs: &Pairs, held: &[Bound], multipliers: &[f64]) -> 
 }
 
 /// Combinations of the bounds' states, those first in which few of them hold: each bound is left out, or holds by one
-/// of its grips. `before` is the set that held last.
-pub(super) fn states(pairs: &Pairs, bounds: &[Bound], before: &[Bound]) -> Vec<Vec<Bound>> {
-    let choices = |bound: &Bound| -> Vec<Option<Bound>> {
-        let Bound::Contact(touch) = bound else {
-            return vec![None, Some(*bound)];
-        };
-        if friction(pairs, bound) == 0.0 {
-            return vec![None, Some(*bound)];
+/// of its grips; of those that push alike at one place only one holds. `before` is the set that held last.
+pub(super) fn states(
+    pairs: &Pairs,
+    bounds: &[Bound],
+    before: &[Bound],
+    alike: &dyn Fn(&Bound, &Bound) -> bool,
+) -> Vec<Vec<Bound>> {
+    let choices = |bound: &Bound| -> Vec<Bound> {
+        match bound {
+            Bound::Contact(touch) if friction(pairs, bound) > 0.0 => {
+                let grips = [
+                    Grip::Sticks,
+                    Grip::Slides { forward: true },
+                    Grip::Slides { forward: false },
+                ];
+                grips.map(|grip| Bound::Contact(touch.with(grip))).to_vec()
+            }
+            _ => vec![*bound],
         }
-        let grips = [
-            Grip::Sticks,
-            Grip::Slides { forward: true },
-            Grip::Slides { forward: false },
-        ];
-        let held = grips.map(|grip| Some(Bound::Contact(touch.with(grip))));
-        core::iter::once(None).chain(held).collect()
     };
-    let all: Vec<Vec<Option<Bound>>> = bounds.iter().map(choices).collect();
-    let last = |bound: &Bound| before.iter().find(|b| b.is_same(bound)).copied();
-    let count = all.iter().try_fold(1_usize, |n, c| n.checked_mul(c.len()));
+    // Bounds of which one holds at most.
+    let mut groups: Vec<Vec<Bound>> = Vec::new();
+    for bound in bounds {
+        match groups.iter_mut().find(|group| alike(&group[0], bound)) {
+            Some(group) => group.push(*bound),
+            None => groups.push(vec![*bound]),
+        }
+    }
+    let all: Vec<Vec<Bound>> = (groups.iter())
+        .map(|group| group.iter().flat_map(choices).collect())
+        .collect();
+    let count = all
+        .iter()
+        .try_fold(1_usize, |n, c| n.checked_mul(c.len() + 1));
     let few = count.is_some_and(|n| n <= MOST_STATES);
     // Each with how many differ from what held last.
     let mut states: Vec<(Vec<Bound>, usize)> = vec![(Vec::new(), 0)];
-    for (bound, choices) in bounds.iter().zip(&all) {
-        let last = last(bound);
+    for (group, choices) in groups.iter().zip(&all) {
+        let last = before
+            .iter()
+            .find(|b| group.iter().any(|other| b.is_same(other)));
         let extended = states.iter().flat_map(|(state, changes)| {
-            choices.iter().filter_map(move |choice| {
-                let same = choice.map(|b| grip(&b)) == last.as_ref().map(grip);
-                let changes = changes + usize::from(!same);
-                let state = state.iter().copied().chain(*choice).collect();
-                (few || changes <= MOST_CHANGES).then_some((state, changes))
-            })
+            let each = choices.iter().copied().map(Some);
+            core::iter::once(None)
+                .chain(each)
+                .filter_map(move |choice| {
+                    let same = choice.as_ref().map(grip) == last.map(grip);
+                    let changes = changes + usize::from(!same);
+                    let state = state.iter().copied().chain(choice).collect();
+                    (few || changes <= MOST_CHANGES).then_some((state, changes))
+                })
         });
         states = extended.collect();
     }

@@ -3,7 +3,7 @@
 use cspace_motion::{ContactForce, EventKind, Record, Sample, Status, What};
 use cspace_oracle::effort;
 
-use crate::motion::helpers::{model, near, read, run};
+use crate::motion::helpers::{at, model, near, read, run};
 
 fn times(record: &Record, kind: EventKind) -> Vec<f64> {
     let of_kind = record.events.iter().filter(|e| e.kind == kind);
@@ -489,4 +489,74 @@ at = [{beside}, 340]
         }
     }
     assert_eq!(jams, 2);
+}
+
+/// A strike comes down with its round on the slanted face of a bolt, passes its tip, and lets it spring out below: the bolt gives way if and
+/// only if its face is steeper than the angle of friction.
+#[test]
+fn a_round_passes_the_tip_of_a_bolt() {
+    let friction = 0.2_f64;
+    let count = effort(12, 200);
+    let across = |i: usize| {
+        0.15 + 0.5 * f64::from(u32::try_from(i).unwrap()) / f64::from(u32::try_from(count).unwrap())
+    };
+    for slant in
+        (0..count)
+            .map(across)
+            .chain([0.34, friction.atan() + 1e-6, friction.atan() - 1e-6])
+    {
+        let run_out = 6.0 / slant.tan();
+        let model = read(&format!(
+            r#"
+friction = {friction:?}
+[[part]]
+name = "strike"
+motion = {{ type = "prismatic", direction = [0, 1], range = [-2, 40] }}
+loops = [[[3, -13], {{ fillet = 1.5 }}, [23, -13], [23, -3.3], [3, -3.3]]]
+[[part]]
+name = "bolt"
+motion = {{ type = "prismatic", direction = [1, 0], range = [-14, 0] }}
+loops = [[[-40, -3], [12, -3], [{:?}, 3], [-40, 3]]]
+[[drive]]
+part = "strike"
+table = [[0, 30], [1, 0]]
+[[spring]]
+parts = ["bolt"]
+at = [[-40, 0], [-60, 0]]
+stiffness = 500
+length = 30
+"#,
+            12.0 - run_out
+        ));
+        let (_, record) = run(&model, 1.1, 0.01);
+        let reason = &record.reason;
+        if slant > friction.atan() {
+            assert_eq!(record.status, Status::Done, "{slant}: {reason:?}");
+            // The upper corner of the strike has passed the lower side of the bolt, 0.3 farther.
+            let out = times(&record, EventKind::Snap);
+            assert_eq!(out.len(), 1, "{slant}");
+            near("the bolt comes out", out[0], 0.99, 1e-9);
+        } else {
+            assert_eq!(record.status, Status::Jammed, "{slant}: {reason:?}");
+        }
+    }
+}
+
+/// Two flat pins under a spring stand on each other in the bore of a plug that turns: each touches with roundings at both sides. The upper
+/// one is caught by the shell, and stays there as the plug takes the lower one along.
+#[test]
+fn two_pins_stand_in_a_bore() {
+    let lock = include_str!("../../../../cspace-cli/tests/models/tumbler_pin.toml");
+    let lock = lock
+        .replace("gravity=[0,-9810]", "")
+        .replace("density = 5e-5", "");
+    let time = if effort(0, 1) == 1 { 2.0 } else { 0.1 };
+    let (_, record) = run(&read(&lock), time, 0.02);
+    assert_eq!(record.status, Status::Done, "{:?}", record.reason);
+    let [plug, .., upper] = at(&record, time) else {
+        panic!("two pins in a plug")
+    };
+    near("the plug", *plug, time * 30_f64.to_radians(), 1e-12);
+    // It has 0.05 of play in the bore of the shell, over some 5 of its length.
+    assert!(upper.abs() < 0.02, "{upper}");
 }
