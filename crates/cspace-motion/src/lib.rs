@@ -58,6 +58,7 @@
 #![warn(clippy::print_stdout, clippy::print_stderr)]
 
 mod assemble;
+mod complementarity;
 mod contact;
 pub mod cycle;
 mod dormand_prince;

@@ -1,14 +1,15 @@
 //! Coulomb's friction where forces balance: |λ_t| ≤ μ λ_n at a contact that sticks, λ_t = ∓μ λ_n against the sliding at one that slides.
 //!
 //! A contact that sticks is one equation more, of its rate of sliding; one that slides pushes along n ∓ μ t instead of its normal n. What
-//! contacts do is found by trying: few contacts first, and of each what friction can do.
+//! contacts do is found by trying: few contacts first, and of each what friction can do; of many what a problem of complementarity tells.
 
 use crate::contact::Bound;
 use crate::pairs::{Grip, Pairs};
 use crate::system::{Row, System};
 
 use super::holding::{friction, grip, sliding};
-use super::velocity::Held;
+use super::resisted;
+use super::velocity::{Held, Local};
 
 /// Distance of a force outside its cone of friction, as a share of all forces, that still counts as rounding.
 const OUTSIDE: f64 = 1e-10;
@@ -16,8 +17,6 @@ const OUTSIDE: f64 = 1e-10;
 const BACKWARDS: f64 = 1e-10;
 /// Largest number of combinations of states that are all tried: six contacts with friction.
 const MOST_STATES: usize = 4096;
-/// With more than [`MOST_STATES`] combinations, at most so many bounds may change their state at once.
-const MOST_CHANGES: usize = 2;
 
 /// Whether forces are within their cones of friction, and contacts that slide go on to slide in the same direction.
 pub(super) fn agrees(
@@ -84,9 +83,15 @@ pub(super) fn tangential(pairs: &Pairs, held: &[Bound], multipliers: &[f64]) -> 
         .collect()
 }
 
-/// Combinations of the bounds' states, those first in which few of them hold: each bound is left out, or holds by one
-/// of its grips. `before` is the set that held last.
-pub(super) fn states(pairs: &Pairs, bounds: &[Bound], before: &[Bound]) -> Vec<Vec<Bound>> {
+/// Sets of bounds that may hold as the motion goes on, with brakes that hold. Each bound is left out, or holds by one of its grips: all
+/// combinations of a few, those first in which few hold, and of more those of a [step](super::resisted).
+pub(super) fn states<'a>(
+    system: &'a System,
+    pairs: &'a Pairs,
+    local: &'a Local<'a>,
+    [bounds, brakes]: [&'a [Bound]; 2],
+    q: &'a [f64],
+) -> Box<dyn Iterator<Item = Vec<Bound>> + 'a> {
     let choices = |bound: &Bound| -> Vec<Option<Bound>> {
         let Bound::Contact(touch) = bound else {
             return vec![None, Some(*bound)];
@@ -103,27 +108,18 @@ pub(super) fn states(pairs: &Pairs, bounds: &[Bound], before: &[Bound]) -> Vec<V
         core::iter::once(None).chain(held).collect()
     };
     let all: Vec<Vec<Option<Bound>>> = bounds.iter().map(choices).collect();
-    let last = |bound: &Bound| before.iter().find(|b| b.is_same(bound)).copied();
     let count = all.iter().try_fold(1_usize, |n, c| n.checked_mul(c.len()));
-    let few = count.is_some_and(|n| n <= MOST_STATES);
-    // Each with how many differ from what held last.
-    let mut states: Vec<(Vec<Bound>, usize)> = vec![(Vec::new(), 0)];
-    for (bound, choices) in bounds.iter().zip(&all) {
-        let last = last(bound);
-        let extended = states.iter().flat_map(|(state, changes)| {
-            choices.iter().filter_map(move |choice| {
-                let same = choice.map(|b| grip(&b)) == last.as_ref().map(grip);
-                let changes = changes + usize::from(!same);
-                let state = state.iter().copied().chain(*choice).collect();
-                (few || changes <= MOST_CHANGES).then_some((state, changes))
-            })
+    if count.is_none_or(|n| n > MOST_STATES) {
+        return Box::new(resisted::sets(system, pairs, local, [bounds, brakes], q));
+    }
+    let mut states: Vec<Vec<Bound>> = vec![Vec::new()];
+    for choices in &all {
+        let extended = states.iter().flat_map(|state| {
+            (choices.iter()).map(move |choice| state.iter().copied().chain(*choice).collect())
         });
         states = extended.collect();
     }
     let sticking = |state: &[Bound]| state.iter().filter(|b| grip(b) == Grip::Sticks).count();
-    states.sort_by_key(|(state, changes)| match few {
-        true => (state.len(), sticking(state)),
-        false => (*changes, 0),
-    });
-    states.into_iter().map(|s| s.0).collect()
+    states.sort_by_key(|state| (state.len(), sticking(state)));
+    Box::new(states.into_iter())
 }

@@ -176,7 +176,10 @@ pub(super) fn sentences(
             Quantity::Force
         };
         let push = shown(quantity, force.value.abs());
-        let most = shown(Quantity::Power, power.value);
+        let most = match power.value > 0.0 {
+            true => shown(Quantity::Power, power.value),
+            false => "no power".to_owned(),
+        };
         let gives = match force.t == power.t {
             true => format!("{push} and {most} at the samples, at {}", clock.at(force.t)),
             false => format!(
