@@ -50,7 +50,22 @@ pub(crate) fn tell_lengths_of(size: f64) {
 
 /// A length, or a coordinate, to as many digits after the point as [`tell_lengths_of`] asks for.
 pub(crate) fn length(x: f64) -> String {
-    let digits = DIGITS.load(Ordering::Relaxed);
+    decimals(x, DIGITS.load(Ordering::Relaxed))
+}
+
+/// Digits after the point of numbers that are told beside each other, the largest of them with seven digits.
+pub(crate) fn digits_beside(largest: f64) -> usize {
+    /// Digits after the first, and most digits after the point.
+    const DIGITS: [i32; 2] = [6, 17];
+    let lead = match largest {
+        0.0 => 0,
+        largest => largest.abs().log10().floor() as i32,
+    };
+    (DIGITS[0] - lead).clamp(0, DIGITS[1]) as usize
+}
+
+/// A number with so many digits after the point.
+pub(crate) fn decimals(x: f64, digits: usize) -> String {
     zero_without_sign(&format!("{:.digits$}", shown::number(x))).to_owned()
 }
 

@@ -16,6 +16,7 @@ mod angle;
 mod file;
 mod mechanism;
 pub mod model;
+mod quantity;
 pub mod saved;
 pub mod shown;
 pub mod write;
@@ -30,4 +31,5 @@ pub use mechanism::{
     compute_anew,
 };
 pub use model::{Model, ModelError};
+pub use quantity::{Quantity, Shown};
 pub use saved::{Document, SavedFile, read, read_from, read_from_hosted, read_hosted};

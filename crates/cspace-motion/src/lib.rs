@@ -58,6 +58,7 @@
 #![warn(clippy::print_stdout, clippy::print_stderr)]
 
 mod assemble;
+mod complementarity;
 mod contact;
 pub mod cycle;
 mod dormand_prince;
@@ -87,6 +88,9 @@ pub use record::{
     ContactForce, DriveForce, End, Energy, Event, EventKind, Forces, JointForce, MOST_TRACED,
     Obstacle, Record, Sample, Status, What,
 };
-pub use report::{ContactInterval, Cycle, Drop, PartCycle, Report, Swing, Trajectory};
+pub use report::{
+    ContactInterval, ContactPeak, Cycle, DrivePeak, Drop, PartCycle, Peak, Peaks, Pressing, Report,
+    Swing, Trajectory,
+};
 pub use simulate::{Freedom, Settings, Simulation, Way};
 pub use system::{PartCoordinates, Row, System};

@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 
 use cspace_model::Mechanism;
 use cspace_motion::{
-    ContactInterval, Cycle, Energy, Event, Forces, Gap, Obstacle, PartCoordinates, Record, Report,
-    Sample, Simulation, Status, System, Trajectory,
+    ContactInterval, Cycle, Energy, Event, Forces, Gap, Obstacle, PartCoordinates, Peaks, Record,
+    Report, Sample, Simulation, Status, System, Trajectory,
 };
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -61,6 +61,9 @@ pub struct Motion {
     /// The balance of energy, of a motion with masses.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub energy: Option<Energy>,
+    /// The largest forces, if forces are known.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub peaks: Option<Peaks>,
     /// A summary of the motion, in sentences.
     pub summary: Vec<String>,
     /// How long it took to compute, in seconds.
@@ -221,6 +224,7 @@ impl Motion {
             contacts: report.contacts.clone(),
             cycle: report.cycle.as_ref().map(|c| Period::of(model, c)),
             energy: record.energy,
+            peaks: report.peaks.clone(),
             summary: report.summary.clone(),
             seconds,
         })

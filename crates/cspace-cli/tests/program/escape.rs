@@ -54,7 +54,7 @@ fn a_disc_leaves_two_pegs_over_one_of_them() {
     // On the other side it goes down.
     let over = json(&[&asked[..], &["--to=60,0,0"]].concat());
     assert!((over["energy"].as_f64().unwrap() - known).abs() < 1e-9 * known);
-    assert!(printed(&asked).starts_with("escapes with 572.709284"));
+    assert!(printed(&asked).starts_with("escapes with 572.7093 µJ\n"));
     cspace(&asked).assert().code(0);
     // Nearer bounds enclose it, too.
     let near = json(&[&asked[..], &["--accuracy", "1"]].concat());

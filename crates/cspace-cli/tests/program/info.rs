@@ -168,11 +168,11 @@ fn masses_and_forces_are_text() {
         "  restitution 0.25",
         "  lever: 6.283185 rad/s (360 deg/s)",
         "  slide: a table of 3 points, 0 s to 1.5 s",
-        "  ball: force (0, -3) kg·mm/s² at its centre of mass",
-        "  ball: force (1, 0) kg·mm/s² at (0, 11)",
-        "  lever: torque 0.5 kg·mm²/s²",
-        "  ball at (0, 9) and lever at (3, 1): at rest at 8 mm, stiffness 2.5 kg/s², damping 0.1 kg/s",
-        "  lever and the ground: torsion, at rest at -1.570796 rad (-90.0000 deg), stiffness 5 kg·mm²/s² per rad",
+        "  ball: force (0, -3) mN at its centre of mass",
+        "  ball: force (1, 0) mN at (0, 11)",
+        "  lever: torque 500 µN·mm",
+        "  ball at (0, 9) and lever at (3, 1): at rest at 8 mm, stiffness 2.5 N/m, damping 100 mN·s/m",
+        "  lever and the ground: torsion, at rest at -1.570796 rad (-90.0000 deg), stiffness 5 mN·mm/rad",
     ] {
         assert!(text.lines().any(|l| l == line), "no {line:?} in:\n{text}");
     }

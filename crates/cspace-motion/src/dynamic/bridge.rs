@@ -6,11 +6,11 @@
 //! longer.
 
 use super::CLOSED;
-use super::modes::Mode;
 use super::motion::{Event, EventKind, Observer, Options};
 use super::run::Run;
 use super::stepping::step_through;
 use super::world::{Acting, State, World};
+use crate::complementarity::Mode;
 
 /// Displacements in a step, as shares of the size: of the first bridges of a row, and of later ones.
 const SHARES: [f64; 3] = [1e-8, 1e-7, 1e-6];

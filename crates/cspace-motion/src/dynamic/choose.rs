@@ -9,8 +9,8 @@
 
 use core::cmp::Ordering;
 
-use super::modes::{Problem, Solution};
 use super::motion::Choice;
+use crate::complementarity::{Problem, Solution};
 
 /// Energies, and forces, are equal within this share.
 const EQUAL: f64 = 1e-9;

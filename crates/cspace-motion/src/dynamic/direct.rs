@@ -10,8 +10,8 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::linear::Square;
 
-use super::modes::{Mode, Solution};
 use super::world::{Equations, Touch};
+use crate::complementarity::{Mode, Solution};
 
 /// The inverse of a diagonal mass matrix.
 #[derive(Debug, Clone)]

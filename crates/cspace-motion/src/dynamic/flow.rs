@@ -7,8 +7,8 @@ use nalgebra::{DMatrix, DVector};
 use crate::linear::{Cholesky, Rows, length};
 
 use super::direct::Lightness;
-use super::modes::{Bearing, Mode, Problem, Solution};
 use super::world::{Joints, State, Touch, World};
+use crate::complementarity::{Bearing, Mode, Problem, Solution};
 
 /// Inequalities hold to this share.
 pub(super) const ZERO: f64 = 1e-9;

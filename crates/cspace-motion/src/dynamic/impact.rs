@@ -1,11 +1,11 @@
 //! Impacts: of contacts that are closed at one time, and those that accumulate.
 
 use super::flow::ZERO;
-use super::modes::{Bearing, Mode, Problem, Solution};
 use super::motion::Ended;
 use super::run::Run;
 use super::step::Span;
 use super::world::{Acting, World};
+use crate::complementarity::{Bearing, Mode, Problem, Solution};
 
 /// Number of impacts within [`CROWD`] of the simulated time after which impacts no longer bounce.
 const MOST_IMPACTS: usize = 300;

@@ -5,7 +5,7 @@
 //! gap, of a contact's force, of a rate of sliding, of the friction reserve. It is located approximately on a
 //! polynomial through the step, and refined by repeating the step with a shorter length until the function is 0 at its
 //! end, to rounding (`step/`). At an event, impacts change velocities at once, and the modes of the contacts are
-//! determined anew (`modes.rs`). Impacts that accumulate are closed at their limit (`accumulate.rs`).
+//! determined anew (`complementarity/`). Impacts that accumulate are closed at their limit (`accumulate.rs`).
 
 mod accumulate;
 mod bridge;
@@ -13,22 +13,15 @@ mod bridges;
 mod choose;
 mod direct;
 mod flow;
-mod friction;
 mod impact;
-mod lemke;
-mod modes;
 mod motion;
-#[cfg(test)]
-mod numbers;
-mod problem;
-mod reduced;
 mod run;
 mod settle;
 mod step;
 mod stepping;
 mod world;
 
-pub use modes::Mode;
+pub use crate::complementarity::Mode;
 pub use motion::{Choice, Ended, Event, EventKind, Motion, Observer, Options, Work};
 pub use run::{run, run_through};
 pub use stepping::step_through;

@@ -1,7 +1,7 @@
 //! Options and results of a motion.
 
-use super::modes::Mode;
 use super::world::{Acting, State};
+use crate::complementarity::Mode;
 
 pub use crate::record::EventKind;
 

@@ -6,11 +6,11 @@ use nalgebra::DVector;
 
 use super::STILL;
 use super::accumulate::Impacts;
-use super::modes::{Mode, Problem, Solution};
 use super::motion::{Choice, Ended, Event, EventKind};
 use super::run::{Reached, Run};
 use super::step::Watched;
 use super::world::{State, Step, Touch, World};
+use crate::complementarity::{Mode, Problem, Solution};
 
 /// Lengths of trials of one of several sets of contacts, as shares of the size: beyond the error of contacts, and
 /// shorter than the distance to the next event. A shorter one is used where another event follows at once.

@@ -3,7 +3,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::modes::{Mode, Solution};
+use crate::complementarity::{Mode, Solution};
 
 /// A contact as a function of the coordinates, at one configuration and time.
 #[derive(Debug, Clone)]

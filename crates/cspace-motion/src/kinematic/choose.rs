@@ -48,13 +48,11 @@ pub(crate) enum Choice<'a> {
     Undetermined,
 }
 
-/// Chooses among bounds that are reached; brakes hold unless drives do not allow it. `before` is the set that held
-/// last.
+/// Chooses among bounds that are reached; brakes hold unless drives do not allow it.
 pub(crate) fn choose<'a>(
     system: &'a System,
     pairs: &'a Pairs,
     bounds: &[Bound],
-    before: &[Bound],
     time: f64,
     q: &[f64],
     longest: f64,
@@ -70,15 +68,7 @@ pub(crate) fn choose<'a>(
     let rubs = bounds.iter().any(|b| friction(pairs, b) > 0.0);
     let choice = |brakes: &[Bound]| {
         if rubs {
-            return rubbing(
-                system,
-                pairs,
-                &local,
-                [&bounds, brakes, before],
-                time,
-                q,
-                longest,
-            );
+            return rubbing(system, pairs, &local, [&bounds, brakes], time, q, longest);
         }
         let bounds = [&bounds[..], brakes].concat();
         among(system, pairs, &local, &bounds, time, q, longest)
@@ -97,7 +87,7 @@ fn rubbing<'a>(
     system: &'a System,
     pairs: &'a Pairs,
     local: &Local<'a>,
-    [bounds, brakes, before]: [&[Bound]; 3],
+    [bounds, brakes]: [&[Bound]; 2],
     time: f64,
     q: &[f64],
     longest: f64,
@@ -116,7 +106,7 @@ fn rubbing<'a>(
             length(&apart) <= SAME_PLACE * length(&a)
         }
     };
-    let states = states(pairs, bounds, before, &alike).into_iter();
+    let states = states(system, pairs, local, [bounds, brakes], q, &alike);
     let is_possible = |held: &Vec<Bound>| is_possible(system, pairs, held, local, q);
     let goes_on = |held: &[Bound], scale: f64| {
         let (flow, next) = tries(system, pairs, held.to_vec(), time, q, scale, longest)?;

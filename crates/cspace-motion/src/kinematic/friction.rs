@@ -1,14 +1,15 @@
 //! Coulomb's friction where forces balance: |λ_t| ≤ μ λ_n at a contact that sticks, λ_t = ∓μ λ_n against the sliding at one that slides.
 //!
 //! A contact that sticks is one equation more, of its rate of sliding; one that slides pushes along n ∓ μ t instead of its normal n. What
-//! contacts do is found by trying: few contacts first, and of each what friction can do.
+//! contacts do is found by trying: few contacts first, and of each what friction can do; of many what a problem of complementarity tells.
 
 use crate::contact::Bound;
 use crate::pairs::{Grip, Pairs};
 use crate::system::{Row, System};
 
 use super::holding::{friction, grip, sliding};
-use super::velocity::Held;
+use super::resisted;
+use super::velocity::{Held, Local};
 
 /// Distance of a force outside its cone of friction, as a share of all forces, that still counts as rounding.
 const OUTSIDE: f64 = 1e-10;
@@ -16,8 +17,8 @@ const OUTSIDE: f64 = 1e-10;
 const BACKWARDS: f64 = 1e-10;
 /// Largest number of combinations of states that are all tried: six contacts with friction.
 const MOST_STATES: usize = 4096;
-/// With more than [`MOST_STATES`] combinations, at most so many bounds may change their state at once.
-const MOST_CHANGES: usize = 2;
+/// Largest number of combinations that are tried where the solver finds none: eight contacts with friction.
+const MOST_TRIED: usize = 65_536;
 
 /// Whether forces are within their cones of friction, and contacts that slide go on to slide in the same direction.
 pub(super) fn agrees(
@@ -84,14 +85,17 @@ pub(super) fn tangential(pairs: &Pairs, held: &[Bound], multipliers: &[f64]) -> 
         .collect()
 }
 
-/// Combinations of the bounds' states, those first in which few of them hold: each bound is left out, or holds by one
-/// of its grips; of those that push alike at one place only one holds. `before` is the set that held last.
-pub(super) fn states(
-    pairs: &Pairs,
-    bounds: &[Bound],
-    before: &[Bound],
+/// Sets of bounds that may hold as the motion goes on, with brakes that hold. Each bound is left out, or holds by one of its grips, and of
+/// those that push alike at one place only one holds: all combinations of a few, those first in which few hold, and of more those of a
+/// [step](super::resisted).
+pub(super) fn states<'a>(
+    system: &'a System,
+    pairs: &'a Pairs,
+    local: &'a Local<'a>,
+    [bounds, brakes]: [&'a [Bound]; 2],
+    q: &'a [f64],
     alike: &dyn Fn(&Bound, &Bound) -> bool,
-) -> Vec<Vec<Bound>> {
+) -> Box<dyn Iterator<Item = Vec<Bound>> + 'a> {
     let choices = |bound: &Bound| -> Vec<Bound> {
         match bound {
             Bound::Contact(touch) if friction(pairs, bound) > 0.0 => {
@@ -118,31 +122,30 @@ pub(super) fn states(
         .collect();
     let count = all
         .iter()
-        .try_fold(1_usize, |n, c| n.checked_mul(c.len() + 1));
-    let few = count.is_some_and(|n| n <= MOST_STATES);
-    // Each with how many differ from what held last.
-    let mut states: Vec<(Vec<Bound>, usize)> = vec![(Vec::new(), 0)];
-    for (group, choices) in groups.iter().zip(&all) {
-        let last = before
-            .iter()
-            .find(|b| group.iter().any(|other| b.is_same(other)));
-        let extended = states.iter().flat_map(|(state, changes)| {
-            let each = choices.iter().copied().map(Some);
-            core::iter::once(None)
-                .chain(each)
-                .filter_map(move |choice| {
-                    let same = choice.as_ref().map(grip) == last.map(grip);
-                    let changes = changes + usize::from(!same);
-                    let state = state.iter().copied().chain(choice).collect();
-                    (few || changes <= MOST_CHANGES).then_some((state, changes))
-                })
+        .fold(1_usize, |n, c| n.saturating_mul(c.len() + 1));
+    if count <= MOST_STATES {
+        return Box::new(combinations(&all).into_iter());
+    }
+    let sets = resisted::sets(system, pairs, local, (groups, brakes), q);
+    // The solver does not find all.
+    let rest = core::iter::once_with(move || match count <= MOST_TRIED {
+        true => combinations(&all),
+        false => Vec::new(),
+    });
+    Box::new(sets.chain(rest.flatten()))
+}
+
+/// Combinations of which each has one or none of every list, those of few first, and among them those in which few stick.
+fn combinations(all: &[Vec<Bound>]) -> Vec<Vec<Bound>> {
+    let mut states: Vec<Vec<Bound>> = vec![Vec::new()];
+    for choices in all {
+        let extended = states.iter().flat_map(|state| {
+            let each = core::iter::once(None).chain(choices.iter().copied().map(Some));
+            each.map(move |choice| state.iter().copied().chain(choice).collect())
         });
         states = extended.collect();
     }
     let sticking = |state: &[Bound]| state.iter().filter(|b| grip(b) == Grip::Sticks).count();
-    states.sort_by_key(|(state, changes)| match few {
-        true => (state.len(), sticking(state)),
-        false => (*changes, 0),
-    });
-    states.into_iter().map(|s| s.0).collect()
+    states.sort_by_key(|state| (state.len(), sticking(state)));
+    states
 }

@@ -12,6 +12,7 @@ mod friction;
 mod holding;
 mod locate;
 mod modes;
+mod resisted;
 mod rest;
 mod run;
 mod settle;

@@ -174,11 +174,10 @@ impl<'a> Run<'a> {
                 return None;
             }
             let mut bounds = touching(self.system, self.pairs, q);
-            let before = core::mem::take(&mut state.before);
-            add(&mut bounds, before.clone());
+            add(&mut bounds, core::mem::take(&mut state.before));
             let left = self.duration - time;
             let (system, pairs) = (self.system, self.pairs);
-            let chosen = |bounds: &[Bound]| choose(system, pairs, bounds, &before, time, q, left);
+            let chosen = |bounds: &[Bound]| choose(system, pairs, bounds, time, q, left);
             let mut choice = chosen(&bounds);
             if let Choice::Undetermined = choice {
                 add(&mut bounds, pinched(system, pairs, q));

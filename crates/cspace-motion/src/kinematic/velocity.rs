@@ -38,7 +38,7 @@ pub(crate) struct Local<'a> {
     /// y of the forces: of the velocity that they would be.
     pub(super) forces: Vec<f64>,
     /// The rates of all coordinates, of those that are free 0.
-    driven: Vec<f64>,
+    pub(super) driven: Vec<f64>,
     pub(super) joints: Vec<(Vec<f64>, f64)>,
 }
 

@@ -1,10 +1,10 @@
-//! Report on a motion: contacts from touch to release, the cycle in which it repeats, its period and drops, in words.
+//! Report on a motion: contacts from touch to release, the cycle in which it repeats, its period and drops, the largest forces, in words.
 
 mod contacts;
 mod cycle;
 mod drops;
-mod forces;
 mod number;
+mod peaks;
 mod phase;
 mod summary;
 mod trajectory;
@@ -12,6 +12,7 @@ mod trajectory;
 pub use contacts::ContactInterval;
 pub use cycle::{Cycle, PartCycle};
 pub use drops::{Drop, Swing};
+pub use peaks::{ContactPeak, DrivePeak, Peak, Peaks, Pressing};
 pub use trajectory::Trajectory;
 
 use crate::record::Record;
@@ -26,6 +27,8 @@ pub struct Report {
     pub cycle: Option<Cycle>,
     /// Drops in one cycle: a part loses contact with another and falls on to the next place.
     pub drops: Vec<Drop>,
+    /// The largest forces, if forces are known.
+    pub peaks: Option<Peaks>,
     /// Sentences.
     pub summary: Vec<String>,
 }
@@ -60,10 +63,12 @@ impl Report {
         let drops = (cycle.as_ref()).map_or(Vec::new(), |cycle| {
             drops::find(system, &trajectory, &contacts, cycle, record)
         });
+        let peaks = Peaks::of(record);
         let found = summary::Found {
             contacts: &contacts,
             cycle: cycle.as_ref(),
             drops: &drops,
+            peaks: peaks.as_ref(),
         };
         let gaps = summary::gaps(system.mechanism(), simulation.gaps());
         let motion = summary::sentences(system, record, &trajectory, &found);
@@ -72,6 +77,7 @@ impl Report {
             contacts,
             cycle,
             drops,
+            peaks,
             summary,
         }
     }

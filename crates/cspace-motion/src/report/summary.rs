@@ -8,8 +8,8 @@ use cspace_model::Mechanism;
 use super::contacts::{ContactInterval, together};
 use super::cycle::{Cycle, PartCycle};
 use super::drops::Drop;
-use super::forces;
 use super::number::{bare_length, brief, degrees, length, percent, plain, with_unit};
+use super::peaks::{Peaks, sentences as forces};
 use super::phase::Clock;
 use super::trajectory::Trajectory;
 use crate::exact_fit::Gap;
@@ -32,6 +32,7 @@ pub(super) struct Found<'a> {
     pub(super) contacts: &'a [ContactInterval],
     pub(super) cycle: Option<&'a Cycle>,
     pub(super) drops: &'a [Drop],
+    pub(super) peaks: Option<&'a Peaks>,
 }
 
 /// Sentences on the parts that are smaller than drawn.
@@ -67,7 +68,10 @@ pub(super) fn sentences(
     all.extend(teller.drops(report));
     all.extend(teller.spares(report));
     all.extend(teller.contacts(report));
-    all.extend(forces::sentences(system, record, &teller.clock));
+    let peaks = report
+        .peaks
+        .map(|p| forces(system, record, p, &teller.clock));
+    all.extend(peaks.into_iter().flatten());
     all
 }
 

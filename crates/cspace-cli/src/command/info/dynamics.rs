@@ -3,7 +3,7 @@
 use std::fmt::{self, Write};
 
 use cspace_api::info::{DriveInfo, Dynamics, Forces, LoadInfo, OneOrThree, SpringInfo, Surface};
-use cspace_model::shown;
+use cspace_model::{Quantity, shown};
 
 use crate::wording::{angle, count};
 
@@ -52,6 +52,24 @@ pub(super) fn part(text: &mut String, motion: &Dynamics, unit: &str) -> fmt::Res
         writeln!(text, "    rate       {rate}")?;
     }
     Ok(())
+}
+
+/// Numbers in the unit that fits the largest of them.
+fn quantity<const N: usize>(
+    quantity: Quantity,
+    values: [f64; N],
+    unit: &str,
+) -> ([f64; N], String) {
+    let largest = values.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
+    let known = Some(unit.trim()).filter(|u| !u.is_empty());
+    let unit = quantity.shown(known, largest);
+    (values.map(|x| x * unit.factor), unit.name)
+}
+
+/// A number in the unit that fits it.
+fn one(of: Quantity, value: f64, unit: &str) -> String {
+    let ([value], unit) = quantity(of, [value], unit);
+    format!("{} {unit}", short(value))
 }
 
 /// A unit made with that of length, which is called `unit` where the model does not name it.
@@ -129,15 +147,15 @@ fn drive(drive: &DriveInfo, unit: &str) -> String {
 fn load(load: &LoadInfo, unit: &str) -> String {
     let what = match (load.force, load.torque) {
         (Some(force), _) => {
-            let unit = compound("kg·", unit, "/s²");
+            let (force, unit) = quantity(Quantity::Force, force, unit);
             let at = load
                 .at
                 .map_or_else(|| "its centre of mass".to_owned(), list);
             format!("force {} {unit} at {at}", list(force))
         }
         (None, torque) => {
-            let unit = compound("kg·", unit, "²/s²");
-            format!("torque {} {unit}", short(torque.unwrap_or_default()))
+            let torque = one(Quantity::Torque, torque.unwrap_or_default(), unit);
+            format!("torque {torque}")
         }
     };
     format!("{}: {what}", load.part)
@@ -156,19 +174,19 @@ fn spring(spring: &SpringInfo, unit: &str) -> String {
     let (kind, per_move, per_rate) = match (spring.angle, spring.length) {
         (Some(rest), _) => (
             format!("torsion, at rest at {}", angle(rest)),
-            compound("kg·", unit, "²/s² per rad"),
-            compound("kg·", unit, "²/s"),
+            Quantity::TorsionStiffness,
+            Quantity::TorsionDamping,
         ),
         (None, length) => (
             format!("at rest at {}{unit}", short(length.unwrap_or_default())),
-            "kg/s²".to_owned(),
-            "kg/s".to_owned(),
+            Quantity::Stiffness,
+            Quantity::Damping,
         ),
     };
     let damping = match spring.damping {
         0.0 => String::new(),
-        damping => format!(", damping {} {per_rate}", short(damping)),
+        damping => format!(", damping {}", one(per_rate, damping, unit)),
     };
-    let stiffness = format!("stiffness {} {per_move}", short(spring.stiffness));
+    let stiffness = format!("stiffness {}", one(per_move, spring.stiffness, unit));
     format!("{}: {kind}, {stiffness}{damping}", ends.join(" and "))
 }

@@ -5,6 +5,7 @@ use std::fmt::{self, Write};
 use cspace_api::escape::{Escape, Outcome, Question};
 use cspace_api::plan::Overlap;
 use cspace_api::{Chosen, Subject};
+use cspace_model::{Quantity, shown};
 
 use super::PlanArgs;
 use crate::ask::Terminal;
@@ -12,7 +13,7 @@ use crate::failure::Failure;
 use crate::output;
 use crate::picture::format;
 use crate::subject::InWords;
-use crate::wording::{count, length};
+use crate::wording::{count, decimals, digits_beside, length};
 
 pub(super) fn run(args: &PlanArgs, subject: &Subject, host: &Terminal) -> Result<(), Failure> {
     let question = Question {
@@ -39,11 +40,19 @@ pub(super) fn run(args: &PlanArgs, subject: &Subject, host: &Terminal) -> Result
 }
 
 fn describe(text: &mut String, pair: &Chosen<'_>, escape: &Escape) -> fmt::Result {
-    let unit = pair.unit_label().unwrap_or("unit");
+    let bounds = [escape.energy, escape.least, escape.most];
+    let energies = bounds
+        .into_iter()
+        .flatten()
+        .chain(escape.passes.iter().map(|p| p.energy));
+    let largest = energies.fold(0.0_f64, |m, e| m.max(e.abs()));
+    let unit = Quantity::Energy.shown(pair.unit_label(), largest);
     if let Some(gap) = escape.gap {
         writeln!(text, "{}", pair.gap_in_words(gap))?;
     }
-    let energy = |e: f64| format!("{} kg {unit}^2/s^2", length(e));
+    let digits = digits_beside(largest * unit.factor);
+    let name = shown::text(&unit.name);
+    let energy = |e: f64| format!("{} {name}", decimals(unit.factor * e, digits));
     match escape.verdict {
         Outcome::Cage => {
             writeln!(text, "cage: no energy lets it out")?;

@@ -6,7 +6,7 @@ use cspace_draw::{
     ContactBar, ContactRow, MotionPicture, PictureOptions, PlanePath, Scene, Track, TrackCurve,
     motion,
 };
-use cspace_model::Mechanism;
+use cspace_model::{Mechanism, Quantity};
 use cspace_motion::{
     EventKind, PartCoordinates, Record, Report, Simulation, System, Trajectory, What,
 };
@@ -84,24 +84,26 @@ fn forces(simulation: &Simulation, record: &Record) -> Vec<Track> {
     }
     let pairs = simulation.pairs().list().iter();
     let pairs: Vec<[usize; 2]> = pairs.map(|p| [p.fixed, p.moving]).collect();
-    let unit = model.unit.as_deref().unwrap_or("unit");
     let number = |name: &str| model.parts.iter().position(|p| p.part.name() == name);
     let mut tracks = Vec::new();
     for column in columns(model, &pairs) {
-        let (label, unit, part) = match &column {
+        let (label, quantity, part) = match &column {
             Column::Pair {
                 parts: [a, b],
                 tangential: false,
-            } => (format!("{a} – {b}, force"), format!("kg·{unit}/s²"), b),
+            } => (format!("{a} – {b}, force"), Quantity::Force, b),
             Column::Drive { part, power: true } => {
-                (format!("{part}, power"), format!("kg·{unit}²/s³"), part)
+                (format!("{part}, power"), Quantity::Power, part)
             }
             _ => continue,
         };
-        let points: Vec<(f64, f64)> = (record.samples.iter())
+        let mut points: Vec<(f64, f64)> = (record.samples.iter())
             .filter_map(|s| Some((s.t, column.value(s.forces.as_ref()?))))
             .collect();
-        if points.iter().any(|p| p.1 != 0.0) {
+        let largest = points.iter().fold(0.0_f64, |m, p| m.max(p.1.abs()));
+        if largest > 0.0 {
+            let unit = quantity.shown(model.unit.as_deref(), largest);
+            points.iter_mut().for_each(|p| p.1 *= unit.factor);
             let title = label.clone();
             let part = number(part).unwrap_or(0);
             let curves = vec![TrackCurve {
@@ -111,7 +113,7 @@ fn forces(simulation: &Simulation, record: &Record) -> Vec<Track> {
             }];
             tracks.push(Track {
                 label,
-                unit: Some(unit),
+                unit: Some(unit.name),
                 is_angle: false,
                 curves,
             });

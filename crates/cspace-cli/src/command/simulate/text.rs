@@ -2,11 +2,11 @@
 
 use std::fmt::{self, Write};
 
-use cspace_model::{Mechanism, shown};
+use cspace_model::{Mechanism, Quantity, shown};
 use cspace_motion::{Energy, Event, EventKind, Status, What};
 
 use crate::subject::placed_by_name;
-use crate::wording::{count, degrees, length};
+use crate::wording::{count, decimals, degrees, digits_beside, length};
 
 use cspace_api::simulate::{Motion, Numbers};
 
@@ -78,9 +78,8 @@ pub(super) fn describe(text: &mut String, model: &Mechanism, motion: &Motion) ->
     Ok(())
 }
 
-/// From the start to the end: what drives put in, and what was lost.
+/// From the start to the end: what drives put in, and what was lost, all in one unit and to as many digits.
 fn describe_energy(text: &mut String, model: &Mechanism, energy: &Energy) -> fmt::Result {
-    let unit = model.unit.as_deref().unwrap_or("unit");
     let Energy {
         start,
         end,
@@ -89,11 +88,17 @@ fn describe_energy(text: &mut String, model: &Mechanism, energy: &Energy) -> fmt
         impacts,
         drift,
     } = *energy;
+    let all = [start, drives, friction, impacts, end];
+    let largest = all.iter().fold(0.0_f64, |m, e| m.max(e.abs()));
+    let unit = Quantity::Energy.shown(model.unit.as_deref(), largest);
+    let digits = digits_beside(largest * unit.factor);
+    let [start, drives, friction, impacts, end] = all.map(|e| decimals(e * unit.factor, digits));
     writeln!(
         text,
-        "energy: {start:.6e} at the start, {drives:.6e} from drives, less {friction:.6e} by friction and {impacts:.6e} by \
-         impacts: {end:.6e} kg·{}²/s² at the end, {drift:.1e} off",
-        shown::text(unit)
+        "energy: {start} at the start, {drives} from drives, less {friction} by friction and {impacts} by impacts: \
+         {end} {} at the end, {:.1e} off",
+        shown::text(&unit.name),
+        drift * unit.factor
     )
 }
 

@@ -1,9 +1,9 @@
 //! Functions that end a step where they fall below 0.
 
 use super::super::flow::{Bearings, Flow, ZERO};
-use super::super::modes::{Mode, Solution};
 use super::super::world::{State, World};
 use super::take::Taken;
+use crate::complementarity::{Mode, Solution};
 
 /// Function of a contact whose change of sign is an event.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

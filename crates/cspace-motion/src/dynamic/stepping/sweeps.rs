@@ -173,7 +173,7 @@ impl Block {
 #[allow(clippy::unwrap_used)]
 mod tests {
     use super::*;
-    use crate::dynamic::numbers::Numbers;
+    use crate::complementarity::numbers::Numbers;
 
     /// Contacts of random directions in few coordinates, some of them twice: what comes out satisfies the laws.
     #[test]

@@ -4,7 +4,9 @@ use core::f64::consts::TAU;
 
 use cspace::{Part, Vertex};
 use cspace_model::{Drive, DriveMotion, Mechanism, PartEntry};
-use cspace_motion::{ContactForce, Cycle, DriveForce, Forces, PartCycle, Report, Trajectory, What};
+use cspace_motion::{
+    ContactForce, Cycle, DriveForce, DrivePeak, Forces, PartCycle, Peak, Report, Trajectory, What,
+};
 
 use crate::report::{model, run, told};
 
@@ -192,7 +194,7 @@ fn forces_are_told_where_they_are_known() {
             joints: Vec::new(),
             drives: vec![DriveForce {
                 part: "gear".into(),
-                force: k,
+                force: k * (k - 4.0),
                 power: 2.0 * k,
             }],
         });
@@ -206,17 +208,26 @@ fn forces_are_told_where_they_are_known() {
         drift: 0.0,
     });
     let report = Report::of(&simulation, &record);
+    let drive = DrivePeak {
+        part: "gear".into(),
+        force: Peak {
+            value: -4.0,
+            t: 0.5,
+        },
+        power: Peak { value: 8.0, t: 1.0 },
+    };
+    assert_eq!(report.peaks.as_ref().unwrap().drives, [drive]);
     says(
         &report,
-        "gear and pinion press on each other with at most 80.00 kg·mm/s² at the samples, at 180.0 deg of the gear",
+        "gear and pinion press on each other with at most 80.000 mN at the samples, at 180.0 deg of the gear",
     );
     // Impacts are in the energy alone.
     says(
         &report,
-        "the drive of the gear gives at most 8.000 kg·mm²/s³ at the samples, at 0.0 deg of the gear",
+        "the drive of the gear gives at most 4.0000 mN·mm, at 180.0 deg of the gear, and 8.0000 µW, at 0.0 deg, at the samples",
     );
     says(
         &report,
-        "the drive gives 5.000 kg·mm²/s³ on average, impacts included",
+        "the drive gives 5.0000 µW on average, impacts included",
     );
 }

@@ -24,15 +24,15 @@ const TIMES: usize = 20;
 
 /// z of a solution, exactly 0 outside of the basis.
 #[derive(Debug, Clone)]
-pub(super) struct Complementary {
-    pub(super) z: DVector<f64>,
+pub(crate) struct Complementary {
+    pub(crate) z: DVector<f64>,
     /// Whether z, rather than w, is in the basis.
-    pub(super) basic: Vec<bool>,
+    pub(crate) basic: Vec<bool>,
 }
 
 /// Result of Lemke's method.
 #[derive(Debug, Clone)]
-pub(super) enum Outcome {
+pub(crate) enum Outcome {
     /// A solution, to rounding.
     Solution(Complementary),
     /// No solution is found: nothing limits the growth of an unknown, or numbers are not finite.
@@ -43,12 +43,12 @@ pub(super) enum Outcome {
 
 /// The problem with a covering vector of ones.
 #[cfg(test)]
-pub(super) fn lemke(m: &DMatrix<f64>, q: &DVector<f64>) -> Outcome {
+pub(crate) fn lemke(m: &DMatrix<f64>, q: &DVector<f64>) -> Outcome {
     lemke_from(m, q, &DVector::from_element(q.len(), 1.0))
 }
 
 /// The problem with a covering vector of positive numbers. Where there are several solutions it decides which is found.
-pub(super) fn lemke_from(m: &DMatrix<f64>, q: &DVector<f64>, cover: &DVector<f64>) -> Outcome {
+pub(crate) fn lemke_from(m: &DMatrix<f64>, q: &DVector<f64>, cover: &DVector<f64>) -> Outcome {
     let n = q.len();
     let largest = q.amax();
     let all = m.iter().chain(q.iter()).chain(cover.iter());
@@ -262,7 +262,7 @@ mod tests {
     use nalgebra::{DMatrix, DVector};
 
     use super::{Complementary, Outcome, lemke, lemke_from};
-    use crate::dynamic::numbers::Numbers;
+    use crate::complementarity::numbers::Numbers;
 
     /// All z of bases that satisfy the inequalities.
     fn all(m: &DMatrix<f64>, q: &DVector<f64>) -> Vec<DVector<f64>> {

@@ -156,7 +156,7 @@ impl<'a> Complementarity<'a> {
 }
 
 /// Solutions that Lemke's method finds, from several covering vectors; several may be the same.
-pub(super) fn solutions(problem: &Problem, reduced: &Reduced) -> Vec<Solution> {
+pub(crate) fn solutions(problem: &Problem, reduced: &Reduced) -> Vec<Solution> {
     let complementarity = Complementarity::of(&problem.bearings, reduced);
     let mut found = Vec::new();
     for time in 0..COVERS {

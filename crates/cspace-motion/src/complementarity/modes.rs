@@ -15,17 +15,16 @@
 //! method finds a solution (`friction.rs`).
 
 use super::friction;
-pub use super::problem::Mode;
-pub(super) use super::problem::{Bearing, Problem, Solution};
+use super::problem::{Bearing, Mode, Problem, Solution};
 use super::reduced::Reduced;
 
 /// Largest number of combinations of modes that are tried.
-pub(super) const MOST: usize = 1024;
+pub(crate) const MOST: usize = 1024;
 
 impl Problem<'_> {
     /// Solutions that differ in x: all of them if there are at most [`MOST`] combinations of modes, else those that Lemke's method
     /// finds. These are all if there is no friction, or little; with much there may be others, and there may be one where none is found.
-    pub(super) fn solutions(&self) -> Vec<Solution> {
+    pub(crate) fn solutions(&self) -> Vec<Solution> {
         let Some(reduced) = Reduced::of(self) else {
             return Vec::new();
         };
@@ -42,7 +41,7 @@ impl Problem<'_> {
     /// Indices of the contacts that contradict by themselves: with one of them alone there is no solution, as where a rod is pushed over a
     /// rough floor (Painlevé). Where each alone has one, that all together have none may be due to rounding, or to what Lemke's method did
     /// not find.
-    pub(super) fn contradictions(&self) -> Vec<usize> {
+    pub(crate) fn contradictions(&self) -> Vec<usize> {
         let contradicts = |k: &usize| {
             let alone = Self {
                 bearings: vec![self.bearings[*k].clone()],
@@ -89,7 +88,7 @@ impl Problem<'_> {
     }
 
     /// The solution of the linear equations of some modes, whether its inequalities hold or not; `None` if they have none.
-    pub(super) fn within(&self, modes: &[Mode]) -> Option<Solution> {
+    pub(crate) fn within(&self, modes: &[Mode]) -> Option<Solution> {
         let reduced = Reduced::of(self)?;
         let forces = reduced.forces(modes)?;
         Some(reduced.solution(modes, &forces))

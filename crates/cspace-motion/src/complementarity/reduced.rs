@@ -24,11 +24,11 @@ const NOTHING: f64 = 1e-10;
 
 /// Forces of contacts and the rates they leave: λ_N and λ_T, a_N and a_T of each contact in turn.
 #[derive(Debug, Clone, Default)]
-pub(super) struct Forces {
-    pub(super) forces: Vec<f64>,
-    pub(super) rates: Vec<f64>,
+pub(crate) struct Forces {
+    pub(crate) forces: Vec<f64>,
+    pub(crate) rates: Vec<f64>,
     /// Largest terms of forces and of rates, which determine the rounding.
-    pub(super) scale: (f64, f64),
+    pub(crate) scale: (f64, f64),
 }
 
 /// A force that is sought: λ_N with the friction of sliding that follows from it, or λ_T.
@@ -41,7 +41,7 @@ struct Sought {
 
 /// The reduced problem.
 #[derive(Debug)]
-pub(super) struct Reduced<'a> {
+pub(crate) struct Reduced<'a> {
     problem: &'a Problem<'a>,
     factor: Cholesky,
     joints: Rows,
@@ -54,16 +54,16 @@ pub(super) struct Reduced<'a> {
     /// The rows k, two of each contact, one after the other.
     directions: Vec<f64>,
     /// W by rows.
-    pub(super) operator: Vec<f64>,
+    pub(crate) operator: Vec<f64>,
     /// a₀, and the sum of the sizes of its terms.
-    pub(super) rates: Vec<f64>,
+    pub(crate) rates: Vec<f64>,
     terms: Vec<f64>,
     force: f64,
 }
 
 impl<'a> Reduced<'a> {
     /// `None` if masses are not positive, joints contradict each other, or numbers are not finite.
-    pub(super) fn of(problem: &'a Problem<'a>) -> Option<Self> {
+    pub(crate) fn of(problem: &'a Problem<'a>) -> Option<Self> {
         let n = problem.h.len();
         let factor = Cholesky::of(problem.mass.as_slice(), n)?;
         let mut loads = problem.h.as_slice().to_vec();
@@ -119,7 +119,7 @@ impl<'a> Reduced<'a> {
     }
 
     /// The forces in some modes, whether the inequalities hold or not; `None` if the equations have no solution.
-    pub(super) fn forces(&self, modes: &[Mode]) -> Option<Forces> {
+    pub(crate) fn forces(&self, modes: &[Mode]) -> Option<Forces> {
         let count = self.rates.len();
         let mut sought = Vec::with_capacity(count);
         for (i, (mode, bearing)) in modes.iter().zip(&self.problem.bearings).enumerate() {
@@ -172,7 +172,7 @@ impl<'a> Reduced<'a> {
     }
 
     /// The rates that forces leave.
-    pub(super) fn with(&self, forces: Vec<f64>) -> Forces {
+    pub(crate) fn with(&self, forces: Vec<f64>) -> Forces {
         let count = self.rates.len();
         let mut rates = self.rates.clone();
         let mut largest = f64::MIN_POSITIVE;
@@ -193,7 +193,7 @@ impl<'a> Reduced<'a> {
     }
 
     /// Whether forces are allowed by the modes: the cheap part of the check, which rejects most modes.
-    pub(super) fn bears(&self, modes: &[Mode], f: &Forces) -> bool {
+    pub(crate) fn bears(&self, modes: &[Mode], f: &Forces) -> bool {
         let least = -f.scale.0 * self.problem.zero;
         let bearings = modes.iter().zip(&self.problem.bearings);
         (bearings.zip(f.forces.chunks_exact(2))).all(|((mode, bearing), force)| match mode {
@@ -205,7 +205,7 @@ impl<'a> Reduced<'a> {
 
     /// Whether two x differ by more than rounding, in the metric of the masses: relative to themselves, and to the
     /// solution without contacts.
-    pub(super) fn differ(&self, a: &DVector<f64>, b: &DVector<f64>) -> bool {
+    pub(crate) fn differ(&self, a: &DVector<f64>, b: &DVector<f64>) -> bool {
         /// Multiple of the zero threshold.
         const MORE: f64 = 1e3;
         let long = |x: &DVector<f64>| x.dot(&(self.problem.mass * x)).max(0.0).sqrt();
@@ -259,7 +259,7 @@ impl<'a> Reduced<'a> {
     }
 
     /// The solution that belongs to forces.
-    pub(super) fn solution(&self, modes: &[Mode], f: &Forces) -> Solution {
+    pub(crate) fn solution(&self, modes: &[Mode], f: &Forces) -> Solution {
         let x = DVector::from_vec(self.x(f));
         Solution {
             modes: modes.to_vec(),

@@ -1,8 +1,8 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::{Bearing, Problem, Solution};
-use crate::dynamic::numbers::Numbers;
-use crate::dynamic::reduced::Reduced;
+use crate::complementarity::numbers::Numbers;
+use crate::complementarity::reduced::Reduced;
 use crate::linear::{Cholesky, nonnegative};
 
 fn bearing(normal: DVector<f64>, tangent: DVector<f64>, friction: f64) -> Bearing {

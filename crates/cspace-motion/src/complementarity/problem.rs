@@ -28,24 +28,24 @@ impl Mode {
 
 /// A contact in the problem.
 #[derive(Debug, Clone)]
-pub(super) struct Bearing {
-    pub(super) normal: DVector<f64>,
-    pub(super) tangent: DVector<f64>,
+pub(crate) struct Bearing {
+    pub(crate) normal: DVector<f64>,
+    pub(crate) tangent: DVector<f64>,
     /// a_N = n · x + b.
-    pub(super) b: f64,
+    pub(crate) b: f64,
     /// a_T = τ · x + c.
-    pub(super) c: f64,
-    pub(super) friction: f64,
+    pub(crate) c: f64,
+    pub(crate) friction: f64,
     /// The direction in which it slides already.
-    pub(super) slides: Option<f64>,
+    pub(crate) slides: Option<f64>,
     /// Whether the contact has reached the end of its sticking: then sticking is tried last among modes with equal
     /// accelerations.
-    pub(super) lets_go: bool,
+    pub(crate) lets_go: bool,
 }
 
 impl Bearing {
     /// The modes in which it may be.
-    pub(super) fn choices(&self) -> &'static [Mode] {
+    pub(crate) fn choices(&self) -> &'static [Mode] {
         match self.slides {
             Some(s) if s > 0.0 => &[Mode::Open, Mode::Forward],
             Some(_) => &[Mode::Open, Mode::Backward],
@@ -59,30 +59,30 @@ impl Bearing {
 
 /// The problem.
 #[derive(Debug, Clone)]
-pub(super) struct Problem<'a> {
+pub(crate) struct Problem<'a> {
     /// Symmetric and positive definite.
-    pub(super) mass: &'a DMatrix<f64>,
-    pub(super) h: DVector<f64>,
-    pub(super) joints: DMatrix<f64>,
-    pub(super) j: DVector<f64>,
-    pub(super) bearings: Vec<Bearing>,
+    pub(crate) mass: &'a DMatrix<f64>,
+    pub(crate) h: DVector<f64>,
+    pub(crate) joints: DMatrix<f64>,
+    pub(crate) j: DVector<f64>,
+    pub(crate) bearings: Vec<Bearing>,
     /// Rounding threshold: values below this share of the largest term count as 0.
-    pub(super) zero: f64,
+    pub(crate) zero: f64,
 }
 
 /// A solution.
 #[derive(Debug, Clone)]
-pub(super) struct Solution {
-    pub(super) x: DVector<f64>,
-    pub(super) modes: Vec<Mode>,
+pub(crate) struct Solution {
+    pub(crate) x: DVector<f64>,
+    pub(crate) modes: Vec<Mode>,
     /// λ_N of each contact.
-    pub(super) normal: Vec<f64>,
+    pub(crate) normal: Vec<f64>,
     /// λ_T.
-    pub(super) tangential: Vec<f64>,
+    pub(crate) tangential: Vec<f64>,
     /// μ of each row of the joints.
-    pub(super) joints: DVector<f64>,
+    pub(crate) joints: DVector<f64>,
     /// a_N and a_T.
-    pub(super) rates: Vec<(f64, f64)>,
+    pub(crate) rates: Vec<(f64, f64)>,
 }
 
 /// Rates carry rounding of this share of their terms, at most: terms that cancel are not seen in a solution at rest.
@@ -90,7 +90,7 @@ const ROUNDING: f64 = 1e-12;
 
 impl Problem<'_> {
     /// Scale of the rates: the largest sum of the magnitudes of one rate's terms.
-    pub(super) fn terms(&self, solution: &Solution) -> f64 {
+    pub(crate) fn terms(&self, solution: &Solution) -> f64 {
         (self.bearings.iter())
             .map(|b| {
                 let x = solution.x.iter().zip(b.normal.iter());
@@ -108,7 +108,7 @@ impl Problem<'_> {
     }
 
     /// Whether a contact has neither a force nor an acceleration.
-    pub(super) fn is_tied(&self, s: &Solution) -> bool {
+    pub(crate) fn is_tied(&self, s: &Solution) -> bool {
         // The rates that forces other than those of contacts would give, were there no contacts.
         let free = |b: &Bearing| -> f64 {
             let terms = b.normal.iter().zip(self.h.iter()).enumerate();
@@ -123,7 +123,7 @@ impl Problem<'_> {
     }
 
     /// Whether a solution satisfies the inequalities of its modes.
-    pub(super) fn holds(&self, s: &Solution, terms: f64) -> bool {
+    pub(crate) fn holds(&self, s: &Solution, terms: f64) -> bool {
         let (force, rate) = self.nothing(s, terms);
         (0..s.modes.len()).all(|i| {
             let bearing = &self.bearings[i];
@@ -142,7 +142,7 @@ impl Problem<'_> {
     }
 
     /// Whether a solution that was not computed from the equations of its modes satisfies them.
-    pub(super) fn agrees(&self, s: &Solution, terms: f64) -> bool {
+    pub(crate) fn agrees(&self, s: &Solution, terms: f64) -> bool {
         let (force, rate) = self.nothing(s, terms);
         (0..s.modes.len()).all(|i| {
             let (normal, tangential) = (s.normal[i], s.tangential[i]);

@@ -3,10 +3,10 @@
 use nalgebra::{DMatrix, DVector};
 
 /// A generator of numbers: splitmix64.
-pub(super) struct Numbers(u64);
+pub(crate) struct Numbers(u64);
 
 impl Numbers {
-    pub(super) fn of(seed: u64) -> Self {
+    pub(crate) fn of(seed: u64) -> Self {
         Self(seed)
     }
 
@@ -19,25 +19,25 @@ impl Numbers {
     }
 
     /// Random number from 0 to 1.
-    pub(super) fn share(&mut self) -> f64 {
+    pub(crate) fn share(&mut self) -> f64 {
         (self.bits() >> 11) as f64 / (1_u64 << 53) as f64
     }
 
     /// Random number from −1 to 1.
-    pub(super) fn number(&mut self) -> f64 {
+    pub(crate) fn number(&mut self) -> f64 {
         2.0 * self.share() - 1.0
     }
 
     /// Below a number.
-    pub(super) fn below(&mut self, n: usize) -> usize {
+    pub(crate) fn below(&mut self, n: usize) -> usize {
         (self.share() * n as f64) as usize
     }
 
-    pub(super) fn vector(&mut self, n: usize) -> DVector<f64> {
+    pub(crate) fn vector(&mut self, n: usize) -> DVector<f64> {
         DVector::from_fn(n, |_, _| self.number())
     }
 
-    pub(super) fn matrix(&mut self, rows: usize, columns: usize) -> DMatrix<f64> {
+    pub(crate) fn matrix(&mut self, rows: usize, columns: usize) -> DMatrix<f64> {
         DMatrix::from_fn(rows, columns, |_, _| self.number())
     }
 }
