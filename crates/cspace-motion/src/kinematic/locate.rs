@@ -4,7 +4,9 @@
 //! parts' size. Then the function that vanishes there is searched for, a contact's or that of an end of a feature, and
 //! its root is computed to rounding.
 
-use crate::contact::{Bound, PAST_END, Watch, ends, pinched, touching};
+use crate::contact::{
+    Bound, PAST_END, SAME_PLACE, Watch, ends, nearly_touching, pinched, touching,
+};
 
 use super::between::Between;
 use super::check::{Obstacle, last_obstacle, obstacle};
@@ -94,6 +96,23 @@ pub(crate) fn first_event<'a>(flow: &Flow<'a>, h: f64, watch: &mut Watch<'a>) ->
         if found.is_none() {
             add(&mut bounds, pinched(flow.system, flow.pairs, &end.q));
             found = root(&part, after, &end, &bounds);
+        }
+        if found.is_none() {
+            // On a steep wedge a contact closes by a multiple of what is seen along the other.
+            let near = SAME_PLACE * flow.system.size();
+            let closing = nearly_touching(flow.system, flow.pairs, &end.q, near);
+            let reached = closing.into_iter().filter_map(|bound| {
+                let (at, to) = root(&part, after, &end, &[bound])?;
+                let there = touching(flow.system, flow.pairs, &to.q);
+                there
+                    .iter()
+                    .any(|b| b.is_same(&bound))
+                    .then_some((bound, at, to))
+            });
+            if let Some((bound, at, to)) = reached.min_by(|a, b| a.1.total_cmp(&b.1)) {
+                add(&mut bounds, vec![bound]);
+                found = Some((at, to));
+            }
         }
         if let Some((after, to)) = found {
             let q = to.q;

@@ -502,3 +502,50 @@ rate = 1
         near("drive", forces.drives[0].force, -3.0, 1e-12);
     }
 }
+
+/// A lever takes its two notches under a spring's plunger four times. A round nose of a radius smaller than the notch rolls through it and is
+/// in touch all the time; one that is wider stands on its corners, and changes over from one to the other in the middle of the notch.
+#[test]
+fn like_passes_are_told_alike() {
+    for (nose, passes) in [(1.5, 0), (2.5, 4), (3.0, 4), (6.0, 4), (20.0, 4)] {
+        let model = read(&format!(
+            r#"
+[[part]]
+name = "lever"
+motion = {{ type = "revolute", center = [0, 0], range = ["-60deg", "60deg"] }}
+loops = [[
+  ["20*cos(-35deg)", "20*sin(-35deg)"], {{ arc_to = ["20*cos(-25deg)", "20*sin(-25deg)"], center = [0, 0] }},
+  {{ arc_to = ["20*cos(-15deg)", "20*sin(-15deg)"], radius = 2.2, direction = "cw" }},
+  {{ arc_to = ["20*cos(15deg)", "20*sin(15deg)"], center = [0, 0] }},
+  {{ arc_to = ["20*cos(25deg)", "20*sin(25deg)"], radius = 2.2, direction = "cw" }},
+  {{ arc_to = ["20*cos(35deg)", "20*sin(35deg)"], center = [0, 0] }},
+  ["8*cos(60deg)", "8*sin(60deg)"], {{ arc_to = ["8*cos(-60deg)", "8*sin(-60deg)"], center = [0, 0] }},
+]]
+[[part]]
+name = "plunger"
+motion = {{ type = "prismatic", direction = [1, 0], range = [-12, 5] }}
+loops = [[[21.5, -1.5], [30, -1.5], [30, 1.5], [21.5, 1.5], {{ arc_to = [21.5, -1.5], radius = {nose:?} }}]]
+[[load]]
+part = "plunger"
+force = [-2000, 0]
+[[drive]]
+part = "lever"
+table = [[0, 0], [1, "30deg"], [2, "55deg"], [3, 0], [4, "-55deg"], [5, 0]]
+"#
+        ));
+        let (_, record) = run(&model, 5.0, 0.02);
+        assert_eq!(record.status, Status::Done, "{nose}: {:?}", record.reason);
+        let later: Vec<_> = record.events.iter().filter(|e| e.t > 0.0).collect();
+        let kinds: Vec<_> = later.iter().map(|e| e.kind).collect();
+        assert_eq!(
+            kinds,
+            [EventKind::Release, EventKind::Touch].repeat(passes),
+            "{nose}"
+        );
+        for event in later {
+            let there = record.trace.iter().find(|s| s.t == event.t).unwrap();
+            let lever = there.coordinates[0].abs();
+            near("the middle of the notch", lever, 20_f64.to_radians(), 1e-12);
+        }
+    }
+}
