@@ -10,6 +10,7 @@
 mod accumulate;
 mod bridge;
 mod bridges;
+mod change_point;
 mod choose;
 mod direct;
 mod flow;

@@ -71,7 +71,10 @@ pub enum Ended {
     },
     /// Joints that leave no freedom come to a configuration from which parts can go on in more than one direction, or
     /// in none.
-    Folded,
+    Folded {
+        /// Whether it is a dead point, towards which rates grow without bound: nothing goes on from there.
+        dead: bool,
+    },
     /// Steps are too long for how fast parts move: one may come through another in a step.
     Coarse {
         /// The displacement in a step.

@@ -181,7 +181,7 @@ pub(super) struct Run<'a, W: World + ?Sized> {
     pub(super) strict: bool,
     pub(super) bridges: Bridges,
     /// For a mechanism without freedom: [`Flow::fold`] at the end of the last step, and its rate.
-    fold: Option<(f64, f64)>,
+    pub(super) fold: Option<(f64, f64)>,
 }
 
 impl<W: World + ?Sized> Run<'_, W> {
@@ -250,6 +250,9 @@ impl<W: World + ?Sized> Run<'_, W> {
             if self.steps > MOST_STEPS {
                 return Err(Ended::TooMany);
             }
+            if self.is_led && self.go_through(corner, options, observer) {
+                continue;
+            }
             let left = corner.map_or(options.until, before) - self.state.t;
             let far = self.flow.world.longest(&self.state);
             let h = longest.min(left).min(far).min(self.to_fold());
@@ -267,10 +270,17 @@ impl<W: World + ?Sized> Run<'_, W> {
                 .step(self.span_from(&self.state), h, &looked)
                 .ok_or_else(|| self.stuck())?;
             self.steps += 1;
+            let before = self.fold;
             let folds = self.folds(&stepped.state);
             let from = core::mem::replace(&mut self.state, stepped.state);
             if folds {
-                return Err(Ended::Folded);
+                // Rates go with the inverse of the determinant, or do not depend on it.
+                let [slow, fast] = [&from, &self.state].map(|s| self.flow.world.reach(&s.v));
+                let share = before
+                    .zip(self.fold)
+                    .map_or(0.0, |(a, b)| (a.0 / b.0).abs());
+                let dead = share > 1.0 && fast > share.sqrt() * slow;
+                return Err(Ended::Folded { dead });
             }
             if self.state.t + 1e-15 * options.until.abs() >= options.until {
                 self.state.t = options.until;

@@ -123,10 +123,12 @@ pub(crate) fn run(
             };
             (Status::Undetermined, Some(why))
         }
-        Ended::Folded => {
-            let at = bodies.system.dead_point(&bodies.all(&motion.last).q);
-            let why = format!("{at}, or a change point: from there parts can go on in more than one way, or in none");
-            (Status::Undetermined, Some(why))
+        Ended::Folded { dead } => {
+            let at = bodies.system.dead_point(&bodies.all(&motion.last).q, *dead);
+            match dead {
+                true => (Status::Jammed, Some(at)),
+                false => (Status::Undetermined, Some(at)),
+            }
         }
         Ended::Coarse { displacement } => (
             Status::Undetermined,

@@ -46,10 +46,7 @@ impl Run<'_> {
         let reason = if list.is_empty() {
             match time > 0.0 {
                 // What has gone on so far comes to where the joints let it go no farther.
-                true => format!(
-                    "{}: what is driven can go no farther",
-                    self.system.dead_point(q)
-                ),
+                true => self.system.dead_point(q, true),
                 false => "the drives contradict the joints".to_owned(),
             }
         } else {

@@ -12,8 +12,8 @@ use super::layout::PartCoordinates;
 const SMALL: f64 = 1e-3;
 
 impl System {
-    /// Sentence about a dead point: the parts that are in line, and where driven parts are.
-    pub(crate) fn dead_point(&self, q: &[f64]) -> String {
+    /// Sentence about a dead point, or a change point: the parts that are in line, where driven parts are, and how it goes on.
+    pub(crate) fn dead_point(&self, q: &[f64], dead: bool) -> String {
         let name = |i: usize| text(self.mechanism().parts[i].part.name()).to_string();
         let driven = |(i, part): (usize, &PartCoordinates)| {
             let (k, _) = self
@@ -36,13 +36,23 @@ impl System {
         let lines: Vec<String> = pairs
             .map(|(a, b)| format!("{} and {} are in line", name(a), name(b)))
             .collect();
-        let what = match lines.is_empty() {
-            true => "the joints are at a dead point".to_owned(),
-            false => format!("{}, a dead point", lines.join(", ")),
+        let kind = match dead {
+            true => "a dead point",
+            false => "a change point",
         };
-        match drives.is_empty() {
+        let what = match lines.is_empty() {
+            true => format!("the joints are at {kind}"),
+            false => format!("{}, {kind}", lines.join(", ")),
+        };
+        let place = match drives.is_empty() {
             true => what,
             false => format!("{what}, where {}", drives.join(" and ")),
+        };
+        match dead {
+            true => format!("{place}: what is driven can go no farther; its range ends here"),
+            false => {
+                format!("{place}: from there parts can go on in more than one way; begin beside it")
+            }
         }
     }
 
