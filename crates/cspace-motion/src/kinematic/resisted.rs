@@ -1,7 +1,7 @@
 //! Sets of contacts with friction that can hold, from one short step against a slight resistance.
 //!
-//! Of more contacts than a few not all combinations can be tried. With a resistance r against every displacement Δ, Coulomb's law for the
-//! end of a step is a problem of complementarity that has a solution wherever drives do not jam:
+//! Each contact is open, sticks or slides one way or the other: too many combinations to try them all. With a resistance r against every
+//! displacement Δ, Coulomb's law for the end of a step is a problem of complementarity that has a solution wherever drives do not jam:
 //!
 //! ```text
 //! r Δ = F + Σ μ ∇joints + Σ λ_N n + Σ λ_T τ
@@ -59,7 +59,9 @@ impl Closing<'_> {
     /// corner not all need to be constraints.
     pub(super) fn sets(&self) -> impl Iterator<Item = Vec<Bound>> {
         let lengths = self.groups.iter().map(Vec::len);
-        let choices = lengths.fold(1_usize, usize::saturating_mul).min(MOST_CHOICES);
+        let choices = lengths
+            .fold(1_usize, usize::saturating_mul)
+            .min(MOST_CHOICES);
         let without = (0..self.groups.len()).map(|out| (0, Some(out)));
         let chosen = (0..choices).map(|choice| (choice, None)).chain(without);
         chosen.flat_map(|(mut choice, out)| {

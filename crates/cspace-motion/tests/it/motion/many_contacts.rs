@@ -94,7 +94,7 @@ fn a_row_of_blocks_is_pushed_by_the_sum_of_friction() {
     }
 }
 
-/// Of a stack of blocks a pusher moves one and what lies on it, and the rest stands.
+/// A pusher moves one block of a stack and what lies on it, and the rest stands.
 #[test]
 fn a_stack_of_blocks_slides_where_it_is_pushed() {
     for level in 0..4_usize {
