@@ -15,7 +15,7 @@ use crate::system::{Law, Row, System};
 use super::balance::Closed;
 use super::check::goes_on;
 use super::flow::{Arrived, Flow};
-use super::friction::cones;
+use super::friction::{combinations, cones};
 use super::holding::{Holding, friction};
 use super::resisted::Closing;
 use super::velocity::{Held, Local, Nearest};
@@ -128,7 +128,12 @@ fn rubbing<'a>(
         Some(Choice::On { flow, next })
     };
     let mut possible: Vec<Vec<Bound>> = Vec::new();
-    for held in closing.sets().map(|set| [&set, brakes].concat()) {
+    let rest = core::iter::once_with(|| combinations(pairs, &groups)).flatten();
+    for held in closing
+        .sets()
+        .chain(rest)
+        .map(|set| [&set, brakes].concat())
+    {
         if is_possible(&held) {
             if let Some(choice) = goes_on(&held, TRIALS[0]) {
                 return choice;

@@ -1,7 +1,7 @@
 //! Coulomb's friction where forces balance: |λ_t| ≤ μ λ_n at a contact that sticks, λ_t = ∓μ λ_n against the sliding at one that slides.
 //!
 //! A contact that sticks is one equation more, of its rate of sliding; one that slides pushes along n ∓ μ t instead of its normal n. What
-//! contacts do is found by trying what a problem of complementarity tells (`resisted.rs`).
+//! contacts do is found by trying: first what a problem of complementarity tells (`resisted.rs`), then all that few of them may do.
 
 use crate::contact::Bound;
 use crate::pairs::{Grip, Pairs};
@@ -14,6 +14,8 @@ use super::velocity::Held;
 const OUTSIDE: f64 = 1e-10;
 /// Rate of sliding in the wrong direction, as a share of the largest rate, that still counts as rounding.
 const BACKWARDS: f64 = 1e-10;
+/// Largest number of combinations that are tried: those of eight contacts with friction.
+const MOST_TRIED: usize = 65_536;
 
 /// Whether forces are within their cones of friction, and contacts that slide go on to slide in the same direction.
 pub(super) fn agrees(
@@ -78,4 +80,40 @@ pub(super) fn tangential(pairs: &Pairs, held: &[Bound], multipliers: &[f64]) -> 
             }
         })
         .collect()
+}
+
+/// Combinations of bounds and their grips: each group has one that holds, or none; those of few first, and among them those in which few
+/// stick. None if they are too many.
+pub(super) fn combinations(pairs: &Pairs, groups: &[Vec<Bound>]) -> Vec<Vec<Bound>> {
+    let choices = |bound: &Bound| -> Vec<Option<Bound>> {
+        match bound {
+            Bound::Contact(touch) if friction(pairs, bound) > 0.0 => {
+                let grips = [
+                    Grip::Sticks,
+                    Grip::Slides { forward: true },
+                    Grip::Slides { forward: false },
+                ];
+                grips
+                    .map(|grip| Some(Bound::Contact(touch.with(grip))))
+                    .to_vec()
+            }
+            _ => vec![Some(*bound)],
+        }
+    };
+    let mut states: Vec<Vec<Bound>> = vec![Vec::new()];
+    for group in groups {
+        let choices: Vec<Option<Bound>> = core::iter::once(None)
+            .chain(group.iter().flat_map(choices))
+            .collect();
+        if states.len() * choices.len() > MOST_TRIED {
+            return Vec::new();
+        }
+        let extended = states.iter().flat_map(|state| {
+            (choices.iter()).map(move |choice| state.iter().copied().chain(*choice).collect())
+        });
+        states = extended.collect();
+    }
+    let sticking = |state: &[Bound]| state.iter().filter(|b| grip(b) == Grip::Sticks).count();
+    states.sort_by_key(|state| (state.len(), sticking(state)));
+    states
 }
