@@ -4,7 +4,7 @@
 
 use cspace_drawing::Unit;
 
-/// What a number of a mechanism with masses measures.
+/// Kind of a number of a mechanism in which forces act.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Quantity {
     /// kg·unit/s².
@@ -141,7 +141,7 @@ impl Quantity {
 mod tests {
     use super::Quantity;
 
-    /// What a number of a model in some unit is called, against the definitions of the units.
+    /// Numbers of models in several units, against the definitions of the units.
     #[test]
     fn numbers_are_those_of_the_definitions() {
         for (quantity, unit, number, shown, name) in [

@@ -9,7 +9,9 @@ use std::process::Command;
 
 use cspace_oracle::is_long;
 
-use crate::helpers::{json, printed};
+use serde_json::Value;
+
+use crate::helpers::{json, json_beside_notes, printed};
 
 /// A page with what the commands print now, and how many there are.
 fn run_page(text: &str, folder: &Path) -> (String, usize) {
@@ -155,6 +157,69 @@ fn motion() {
 #[test]
 fn a_skill_for_assistants() {
     is_true("../skills/cspace/SKILL.md", 7);
+}
+
+/// The page, and its models against the forces of statics, for several angles.
+#[test]
+fn wedges_and_screws() {
+    is_true("wedges-and-screws.md", 5);
+    let page = format!(
+        "{}/../../docs/wedges-and-screws.md",
+        env!("CARGO_MANIFEST_DIR")
+    );
+    let page = std::fs::read_to_string(page).unwrap();
+    let block = |name: &str| -> String {
+        let (_, rest) = page.split_once(&format!("```toml {name}\n")).unwrap();
+        rest.split_once("```").unwrap().0.to_owned()
+    };
+    let folder = tempfile::tempdir().unwrap();
+    let moved = |model: &str, set: &[&str]| {
+        let file = folder.path().join("model.toml");
+        std::fs::write(&file, model).unwrap();
+        let set: Vec<&str> = set.iter().flat_map(|set| ["--set", set]).collect();
+        let asked = ["simulate", file.to_str().unwrap(), "--time", "1"];
+        json_beside_notes(&[&asked[..], &["--every", "0.25"], &set[..]].concat())
+    };
+    let number = |value: &Value| value.as_f64().unwrap();
+    let near = |what: &str, found: f64, known: f64| {
+        assert!(
+            (found / known - 1.0).abs() < 1e-9,
+            "{what}: {found} {known}"
+        );
+    };
+    let peak = |answer: &Value, of: &str| number(&answer["peaks"]["drives"][0][of]["value"]);
+    let at_end = |answer: &Value, part: &str| {
+        number(&answer["samples"].as_array().unwrap().last().unwrap()[part])
+    };
+    let slips = |angle: f64| {
+        let answer = moved(&block("wedge.toml"), &[&format!("angle={angle:?}")]);
+        let mut events = answer["events"].as_array().unwrap().iter();
+        events.any(|e| e["kind"] == "snap")
+    };
+    let phi = f64::atan(0.1);
+    assert!(!slips(phi * (1.0 - 1e-3)) && slips(phi * (1.0 + 1e-3)));
+    let lift = block("wedge.toml") + &block("drive.toml");
+    for angle in [2.0_f64, 10.0, 30.0].map(f64::to_radians) {
+        let answer = moved(&lift, &[&format!("angle={angle:?}")]);
+        let force = peak(&answer, "force");
+        near("force", force, 1e6 * (angle + phi).tan());
+        let gain = 1e6 * at_end(&answer, "jack") / (force * at_end(&answer, "wedge"));
+        near("efficiency", gain, angle.tan() / (angle + phi).tan());
+    }
+    let phi = f64::atan(0.12);
+    for lead in [2.0, 4.0, 8.0, 12.0] {
+        let alpha = f64::atan(lead / (core::f64::consts::PI * 18.0));
+        for (turns, along) in [(1.0, phi), (-1.0, -phi)] {
+            let set = [format!("lead={lead:?}"), format!("turns={turns:?}")];
+            let answer = moved(&block("screw.toml"), &[&set[0], &set[1]]);
+            near("rise", at_end(&answer, "nut"), turns * lead);
+            let force = 2e6 * (alpha + along).tan();
+            near("force", peak(&answer, "force"), force);
+            // In N·mm, by what a turn takes.
+            let torque = peak(&answer, "power") / (core::f64::consts::TAU * turns * 1e3);
+            near("torque", torque, force * 9.0 / 1e3);
+        }
+    }
 }
 
 /// The README shows a model and what is computed of it.

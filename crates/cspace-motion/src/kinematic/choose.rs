@@ -15,8 +15,9 @@ use crate::system::{Law, Row, System};
 use super::balance::Closed;
 use super::check::goes_on;
 use super::flow::{Arrived, Flow};
-use super::friction::{cones, states};
+use super::friction::{combinations, cones};
 use super::holding::{Holding, friction};
+use super::resisted::Closing;
 use super::velocity::{Held, Local, Nearest};
 
 /// Largest number of contacts of which all subsets are tried; of more, all of them and all but one are tried.
@@ -106,14 +107,33 @@ fn rubbing<'a>(
             length(&apart) <= SAME_PLACE * length(&a)
         }
     };
-    let states = states(system, pairs, local, [bounds, brakes], q, &alike);
+    let mut groups: Vec<Vec<Bound>> = Vec::new();
+    for bound in bounds {
+        match groups.iter_mut().find(|group| alike(&group[0], bound)) {
+            Some(group) => group.push(*bound),
+            None => groups.push(vec![*bound]),
+        }
+    }
+    let closing = Closing {
+        system,
+        pairs,
+        groups: &groups,
+        brakes,
+        q,
+        time,
+    };
     let is_possible = |held: &Vec<Bound>| is_possible(system, pairs, held, local, q);
     let goes_on = |held: &[Bound], scale: f64| {
         let (flow, next) = tries(system, pairs, held.to_vec(), time, q, scale, longest)?;
         Some(Choice::On { flow, next })
     };
     let mut possible: Vec<Vec<Bound>> = Vec::new();
-    for held in states.map(|state| [&state, brakes].concat()) {
+    let rest = core::iter::once_with(|| combinations(pairs, &groups)).flatten();
+    for held in closing
+        .sets()
+        .chain(rest)
+        .map(|set| [&set, brakes].concat())
+    {
         if is_possible(&held) {
             if let Some(choice) = goes_on(&held, TRIALS[0]) {
                 return choice;

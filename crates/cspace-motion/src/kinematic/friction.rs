@@ -1,23 +1,20 @@
 //! Coulomb's friction where forces balance: |λ_t| ≤ μ λ_n at a contact that sticks, λ_t = ∓μ λ_n against the sliding at one that slides.
 //!
 //! A contact that sticks is one equation more, of its rate of sliding; one that slides pushes along n ∓ μ t instead of its normal n. What
-//! contacts do is found by trying: few contacts first, and of each what friction can do; of many what a problem of complementarity tells.
+//! contacts do is found by trying: first what a problem of complementarity tells (`resisted.rs`), then all that few of them may do.
 
 use crate::contact::Bound;
 use crate::pairs::{Grip, Pairs};
 use crate::system::{Row, System};
 
 use super::holding::{friction, grip, sliding};
-use super::resisted;
-use super::velocity::{Held, Local};
+use super::velocity::Held;
 
 /// Distance of a force outside its cone of friction, as a share of all forces, that still counts as rounding.
 const OUTSIDE: f64 = 1e-10;
 /// Rate of sliding in the wrong direction, as a share of the largest rate, that still counts as rounding.
 const BACKWARDS: f64 = 1e-10;
-/// Largest number of combinations of states that are all tried: six contacts with friction.
-const MOST_STATES: usize = 4096;
-/// Largest number of combinations that are tried where the solver finds none: eight contacts with friction.
+/// Largest number of combinations that are tried: those of eight contacts with friction.
 const MOST_TRIED: usize = 65_536;
 
 /// Whether forces are within their cones of friction, and contacts that slide go on to slide in the same direction.
@@ -85,18 +82,10 @@ pub(super) fn tangential(pairs: &Pairs, held: &[Bound], multipliers: &[f64]) -> 
         .collect()
 }
 
-/// Sets of bounds that may hold as the motion goes on, with brakes that hold. Each bound is left out, or holds by one of its grips, and of
-/// those that push alike at one place only one holds: all combinations of a few, those first in which few hold, and of more those of a
-/// [step](super::resisted).
-pub(super) fn states<'a>(
-    system: &'a System,
-    pairs: &'a Pairs,
-    local: &'a Local<'a>,
-    [bounds, brakes]: [&'a [Bound]; 2],
-    q: &'a [f64],
-    alike: &dyn Fn(&Bound, &Bound) -> bool,
-) -> Box<dyn Iterator<Item = Vec<Bound>> + 'a> {
-    let choices = |bound: &Bound| -> Vec<Bound> {
+/// Combinations of bounds and their grips: each group has one that holds, or none; those of few first, and among them those in which few
+/// stick. None if they are too many.
+pub(super) fn combinations(pairs: &Pairs, groups: &[Vec<Bound>]) -> Vec<Vec<Bound>> {
+    let choices = |bound: &Bound| -> Vec<Option<Bound>> {
         match bound {
             Bound::Contact(touch) if friction(pairs, bound) > 0.0 => {
                 let grips = [
@@ -104,44 +93,23 @@ pub(super) fn states<'a>(
                     Grip::Slides { forward: true },
                     Grip::Slides { forward: false },
                 ];
-                grips.map(|grip| Bound::Contact(touch.with(grip))).to_vec()
+                grips
+                    .map(|grip| Some(Bound::Contact(touch.with(grip))))
+                    .to_vec()
             }
-            _ => vec![*bound],
+            _ => vec![Some(*bound)],
         }
     };
-    // Bounds of which one holds at most.
-    let mut groups: Vec<Vec<Bound>> = Vec::new();
-    for bound in bounds {
-        match groups.iter_mut().find(|group| alike(&group[0], bound)) {
-            Some(group) => group.push(*bound),
-            None => groups.push(vec![*bound]),
-        }
-    }
-    let all: Vec<Vec<Bound>> = (groups.iter())
-        .map(|group| group.iter().flat_map(choices).collect())
-        .collect();
-    let count = all
-        .iter()
-        .fold(1_usize, |n, c| n.saturating_mul(c.len() + 1));
-    if count <= MOST_STATES {
-        return Box::new(combinations(&all).into_iter());
-    }
-    let sets = resisted::sets(system, pairs, local, (groups, brakes), q);
-    // The solver does not find all.
-    let rest = core::iter::once_with(move || match count <= MOST_TRIED {
-        true => combinations(&all),
-        false => Vec::new(),
-    });
-    Box::new(sets.chain(rest.flatten()))
-}
-
-/// Combinations of which each has one or none of every list, those of few first, and among them those in which few stick.
-fn combinations(all: &[Vec<Bound>]) -> Vec<Vec<Bound>> {
     let mut states: Vec<Vec<Bound>> = vec![Vec::new()];
-    for choices in all {
+    for group in groups {
+        let choices: Vec<Option<Bound>> = core::iter::once(None)
+            .chain(group.iter().flat_map(choices))
+            .collect();
+        if states.len() * choices.len() > MOST_TRIED {
+            return Vec::new();
+        }
         let extended = states.iter().flat_map(|state| {
-            let each = core::iter::once(None).chain(choices.iter().copied().map(Some));
-            each.map(move |choice| state.iter().copied().chain(choice).collect())
+            (choices.iter()).map(move |choice| state.iter().copied().chain(*choice).collect())
         });
         states = extended.collect();
     }

@@ -13,23 +13,23 @@ use crate::system::System;
 /// The largest forces among the samples of a motion, in kg·unit/s²; torques in kg·unit²/s², powers in kg·unit²/s³.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, JsonSchema)]
 pub struct Peaks {
-    /// Of each two parts that press on each other, and of each end of a range that is pressed on.
+    /// The forces of each two parts that press on each other, and at each end of a range that is pressed on.
     pub contacts: Vec<ContactPeak>,
-    /// Of each drive.
+    /// The forces and powers of each drive.
     pub drives: Vec<DrivePeak>,
 }
 
 /// The largest normal force of two parts, all their contacts together, or at an end of a range.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct ContactPeak {
-    /// What presses.
+    /// Two parts, or a part and an end of its range.
     #[serde(flatten)]
     pub what: Pressing,
     /// The force.
     pub force: Peak,
 }
 
-/// What presses.
+/// Two parts, or a part and an end of its range, that press on each other.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(untagged)]
 pub enum Pressing {

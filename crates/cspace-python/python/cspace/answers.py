@@ -1528,6 +1528,42 @@ class Obstacle(Record):
     """Multiplier: positive."""
 
 
+class Peak(Record):
+    """A value and its time."""
+
+    t: float
+    """Its time, in seconds."""
+    value: float
+    """The value."""
+
+
+class ContactPeak(Record):
+    """The largest normal force of two parts, all their contacts together, or at an end of a range."""
+
+    force: Peak
+    """The force."""
+
+
+class DrivePeak(Record):
+    """The largest force and power of a drive."""
+
+    force: Peak
+    """Torque, or force if the part slides: that of the largest magnitude."""
+    part: str
+    """The name of the driven part."""
+    power: Peak
+    """The largest power that the drive gives; below 0 where it only takes."""
+
+
+class Peaks(Record):
+    """The largest forces among the samples of a motion, in kg·unit/s²; torques in kg·unit²/s², powers in kg·unit²/s³."""
+
+    contacts: list[ContactPeak]
+    """Of each two parts that press on each other, and of each end of a range that is pressed on."""
+    drives: list[DrivePeak]
+    """Of each drive."""
+
+
 class ContactForce(Record):
     """The force at a contact."""
 
@@ -1606,6 +1642,8 @@ class SimulateAnswer(Record):
     """How it came out; of several pairs the worst."""
     parts: list[str]
     """Parts that can move."""
+    peaks: Peaks | None
+    """The largest forces, if forces are known."""
     reason: str | None
     """Why it ended before its time."""
     samples: list[Row]
@@ -1721,9 +1759,12 @@ PlayOfPair._read = {'at': configuration, 'directions': Direction, 'motion': Move
 PlayAnswer._read = {'pairs': PlayOfPair, 'units': Units}
 Period._read = {'parts': each_of(InCycle)}
 Event._read = {'bridge': Bridge, 'choice': Choice}
+ContactPeak._read = {'force': Peak}
+DrivePeak._read = {'force': Peak, 'power': Peak}
+Peaks._read = {'contacts': ContactPeak, 'drives': DrivePeak}
 Forces._read = {'contacts': ContactForce, 'drives': DriveForce, 'joints': JointForce}
 Row._read = {'forces': Forces}
-SimulateAnswer._read = {'contacts': ContactInterval, 'cycle': Period, 'energy': Energy, 'events': Event, 'gaps': Gap, 'model': MadeOf, 'obstacles': Obstacle, 'samples': Row, 'units': Units}
+SimulateAnswer._read = {'contacts': ContactInterval, 'cycle': Period, 'energy': Energy, 'events': Event, 'gaps': Gap, 'model': MadeOf, 'obstacles': Obstacle, 'peaks': Peaks, 'samples': Row, 'units': Units}
 SolveAnswer._read = {'units': Units}
 SweepAnswer._read = {'units': Units}
 TolerancesAnswer._read = {'requirements': Effect, 'units': Units}

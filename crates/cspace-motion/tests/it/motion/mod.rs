@@ -18,6 +18,7 @@ mod heaps;
 mod helpers;
 mod hostile;
 mod invariance;
+mod many_contacts;
 mod models;
 mod oversize;
 mod planar;
