@@ -1559,9 +1559,9 @@ class Peaks(Record):
     """The largest forces among the samples of a motion, in kg·unit/s²; torques in kg·unit²/s², powers in kg·unit²/s³."""
 
     contacts: list[ContactPeak]
-    """Of each two parts that press on each other, and of each end of a range that is pressed on."""
+    """The forces of each two parts that press on each other, and at each end of a range that is pressed on."""
     drives: list[DrivePeak]
-    """Of each drive."""
+    """The forces and powers of each drive."""
 
 
 class ContactForce(Record):
