@@ -34,6 +34,8 @@ pub struct MovingPair {
     /// The coefficient of friction between them.
     pub friction: f64,
     ranges: [Option<(f64, f64)>; 2],
+    /// The orientations of interest, as those of the pair's entry.
+    window: Option<(f64, f64)>,
     /// Index among all pairs.
     order: usize,
 }
@@ -137,14 +139,51 @@ impl Pairs {
             let moving = MovingPair::of(mechanism, &pair, space);
             MovingPair { order, ..moving }
         });
+        let mut pairs = Self {
+            list: all.collect(),
+            ..Self::none()
+        };
+        pairs.part();
+        pairs
+    }
+
+    /// Moves pairs that never meet from the list to those that are apart.
+    fn part(&mut self) {
         // A space without contact is free everywhere, or blocked everywhere: overlap, or an exact fit.
         let meet = |p: &MovingPair| p.space.patch_count() > 0 || p.space.region_count() == 0;
-        let (list, apart): (Vec<_>, Vec<_>) = all.partition(meet);
-        Self {
-            list,
-            apart: apart.iter().map(|p| (p.fixed, p.moving)).collect(),
-            left_out: Vec::new(),
+        let (list, apart): (Vec<_>, Vec<_>) =
+            core::mem::take(&mut self.list).into_iter().partition(meet);
+        self.list = list;
+        self.apart.extend(apart.iter().map(|p| (p.fixed, p.moving)));
+    }
+
+    /// Computes the spaces of some parts again, which have other outlines in a mechanism, in parallel; friction stays.
+    ///
+    /// # Errors
+    /// Errors that `compute` returns; then nothing is changed.
+    pub(crate) fn reshape(
+        &mut self,
+        mechanism: &Mechanism,
+        parts: &[usize],
+        compute: &Compute<'_>,
+    ) -> Result<(), MechanismError> {
+        let mut all: Vec<&mut MovingPair> = (self.list.iter_mut().chain(&mut self.left_out))
+            .filter(|pair| parts.contains(&pair.fixed) || parts.contains(&pair.moving))
+            .collect();
+        let entries: Vec<PairEntry> = all.iter().map(|pair| pair.entry()).collect();
+        let computed = parallel::map(&entries, 1, |entry| {
+            mechanism.compute_by(entry, &Options::default(), compute)
+        });
+        let computed: Result<Vec<_>, MechanismError> = computed.into_iter().collect();
+        for ((pair, entry), space) in all.iter_mut().zip(entries).zip(computed?) {
+            **pair = MovingPair {
+                order: pair.order,
+                friction: pair.friction,
+                ..MovingPair::of(mechanism, &entry, space)
+            };
         }
+        self.part();
+        Ok(())
     }
 
     /// Moves the pairs for which a function is true to those whose contacts are ignored, and all others back to the
@@ -162,6 +201,11 @@ impl Pairs {
             pair.friction = 0.0;
         }
         self
+    }
+
+    /// All pairs that can meet, also those whose contacts are ignored.
+    pub(crate) fn all(&self) -> impl Iterator<Item = &MovingPair> {
+        self.list.iter().chain(&self.left_out)
     }
 
     /// Pairs whose contacts are ignored.
@@ -231,7 +275,16 @@ impl MovingPair {
             friction: (mechanism.dynamics).friction_between(pair.fixed, pair.moving),
             space,
             ranges,
+            window: pair.window,
             order: 0,
+        }
+    }
+
+    fn entry(&self) -> PairEntry {
+        PairEntry {
+            fixed: self.fixed,
+            moving: self.moving,
+            window: self.window,
         }
     }
 

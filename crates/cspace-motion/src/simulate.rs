@@ -6,9 +6,9 @@ use cspace::{Progress, Silent, Stage};
 use cspace_model::{Compute, Mechanism, compute_anew};
 
 use crate::assemble::assemble;
-use crate::contact::check_start;
+use crate::contact::{check_start, overlap_error};
 use crate::error::SimulateError;
-use crate::exact_fit::{Gap, with_room};
+use crate::exact_fit::{Gap, Room, overlaps};
 use crate::forces::has_forces;
 use crate::inertial::{self, Scheme};
 use crate::kinematic::run;
@@ -108,13 +108,20 @@ impl Simulation {
     /// As [`new`](Self::new); and what `compute` returns.
     pub fn new_by(mechanism: &Mechanism, compute: &Compute<'_>) -> Result<Self, SimulateError> {
         mechanism.check()?;
-        let drawn = Self::prepared(mechanism, compute)?;
-        let Some((roomy, gaps)) = with_room(&drawn.system, &drawn.pairs, &drawn.start)? else {
+        let mut drawn = Self::prepared(mechanism, compute)?;
+        let found = overlaps(&drawn.system, drawn.pairs.list().iter(), &drawn.start)?;
+        if let Some(&(pair, depth)) = found.deep.first() {
+            return Err(overlap_error(&drawn.system, pair, depth));
+        }
+        if found.exact.is_empty() {
             return Ok(drawn);
-        };
-        let simulation = Self::prepared(&roomy, compute)?;
-        check_start(&simulation.system, &simulation.pairs, &simulation.start)?;
-        Ok(Self { gaps, ..simulation })
+        }
+        let room = Room::of(&drawn.system, &found.exact)?;
+        room.put_in(&mut drawn.pairs, compute)?;
+        drawn.system = System::new(&room.mechanism);
+        check_start(&drawn.system, &drawn.pairs, &drawn.start)?;
+        drawn.gaps = room.gaps;
+        Ok(drawn)
     }
 
     /// A mechanism with the spaces of its pairs, where its joints hold.

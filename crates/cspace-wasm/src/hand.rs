@@ -28,6 +28,8 @@ struct Came {
     stopped: Vec<String>,
     /// Names of parts that overlap each other.
     overlapping: Vec<(String, String)>,
+    /// Sentences on the parts that are smaller by a gap than drawn, because they fit exactly.
+    gaps: Vec<String>,
     /// Names of parts that jumped to another balance of forces.
     snaps: Vec<String>,
 }
@@ -88,6 +90,9 @@ impl MechanismHand {
             overlapping: overlapping
                 .iter()
                 .map(|&(a, b)| (name(a), name(b)))
+                .collect(),
+            gaps: (self.hand.gaps().iter())
+                .map(|gap| gap.sentence(&self.mechanism))
                 .collect(),
             snaps: dragged.map_or_else(Vec::new, |d| d.snaps.clone()),
         }

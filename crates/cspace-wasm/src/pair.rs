@@ -139,6 +139,12 @@ impl Pair {
         Ok(class.ok().map(|class| said(class).to_owned()))
     }
 
+    /// Whether the parts fit exactly at a configuration: they touch, and have no room to move.
+    #[wasm_bindgen(js_name = fitsExactly)]
+    pub fn fits_exactly(&self, c: &[f64]) -> Result<bool, JsError> {
+        Ok(cspace_plan::fits_exactly(&self.space, self.coordinates(c)?).unwrap_or(false))
+    }
+
     /// The free region of a free configuration.
     pub fn region(&self, c: &[f64]) -> Result<Option<u32>, JsError> {
         match self.space.locate(self.coordinates(c)?).map_err(fault)? {

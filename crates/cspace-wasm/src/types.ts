@@ -78,6 +78,8 @@ export interface Came {
   stopped: string[];
   /** Names of parts that overlap each other. */
   overlapping: [string, string][];
+  /** Sentences on the parts that are smaller by a gap than drawn, because they fit exactly. */
+  gaps: string[];
   /** Names of parts that went at once to where forces balance. */
   snaps: string[];
 }

@@ -19,7 +19,7 @@ const regions = [true, false].map((unbounded) => ({ unbounded, sample: [0, 0, 0]
 
 function told(classification: Told["where"]["classification"], region: number | null, patches: number[] = []): Told {
   const kernel = { patch: () => ({ region: 1 }) } as unknown as Kernel;
-  return { pair: { class: "general", regions, resolution: 1e-9 }, kernel, where: { classification, region, touching: [], nearest: null, patches }, fixed: "lock", moving: "bolt", axes: null, others: false, displaced: false, unit: "mm" };
+  return { pair: { class: "general", regions, resolution: 1e-9 }, kernel, where: { classification, fits: false, region, touching: [], nearest: null, patches }, fixed: "lock", moving: "bolt", axes: null, others: false, displaced: false, unit: "mm" };
 }
 
 describe("regions", () => {
@@ -36,7 +36,9 @@ describe("the verdict", () => {
     assert.equal(headline(told("free", 1)), "bolt is caged in pocket 1: it cannot leave.");
     assert.equal(headline(told("free", 0)), "bolt is not caged: it can leave.");
     assert.equal(headline(told("contact", null, [3])), "bolt touches lock, caged in pocket 1: it cannot leave.");
-    assert.match(headline(told("blocked", null)), /overlap/);
+    const blocked = told("blocked", null);
+    assert.match(headline(blocked), /overlap/);
+    assert.equal(headline({ ...blocked, where: { ...blocked.where, fits: true } }), "bolt fits lock exactly: they touch, and have no room to move.");
   });
   it("says where parts on axes can go", () => {
     const on = (u: SceneRange, v: SceneRange): Told => ({

@@ -26,5 +26,5 @@ pub(crate) use ends::{PAST_END, ends, goes_past};
 pub(crate) use overlap::overlapping;
 pub(crate) use path::Path;
 pub(crate) use pinch::pinched;
-pub(crate) use start::{check_start, depth, names, overlap_at_start, overlap_error};
+pub(crate) use start::{check_start, names, overlap, overlap_error};
 pub(crate) use watch::{LONGEST, Watch};

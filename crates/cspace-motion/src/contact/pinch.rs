@@ -17,20 +17,24 @@ use super::bound::{Bound, REACH, SAME_PLACE};
 /// Contacts of a pair that clamp its parts between them: at least two, at different places, whose functions vanish
 /// within the error of contacts and whose patches are closer than that. Empty if another contact nearby penetrates more
 /// deeply.
-pub(crate) fn pinching(system: &System, pairs: &Pairs, index: usize, q: &[f64]) -> Vec<Touch> {
-    within(system, pairs, index, q, pairs.list()[index].touch)
+pub(crate) fn pinching(system: &System, pair: (usize, &MovingPair), q: &[f64]) -> Vec<Touch> {
+    within(system, pair, q, pair.1.touch)
 }
 
 /// As `pinch`, for every pair whose overlap after a step exceeds the error of contacts.
 pub(crate) fn pinched(system: &System, pairs: &Pairs, q: &[f64]) -> Vec<Bound> {
-    let of =
-        |(index, pair): (usize, &MovingPair)| within(system, pairs, index, q, REACH * pair.touch);
+    let of = |pair: (usize, &MovingPair)| within(system, pair, q, REACH * pair.1.touch);
     let all = pairs.list().iter().enumerate().flat_map(of);
     all.map(Bound::Contact).collect()
 }
 
-fn within(system: &System, pairs: &Pairs, index: usize, q: &[f64], depth: f64) -> Vec<Touch> {
-    let pair = &pairs.list()[index];
+/// As [`pinching`], within another error; the pair comes with its place in the list.
+fn within(
+    system: &System,
+    (index, pair): (usize, &MovingPair),
+    q: &[f64],
+    depth: f64,
+) -> Vec<Touch> {
     let near = SAME_PLACE * system.size();
     let turn = near / pair.space.moving().size();
     let touches = pair.touches_beside(index, pair.coordinates(system, q), near, turn);

@@ -13,27 +13,26 @@ use super::pinch::pinching;
 /// # Errors
 /// If parts overlap, or a pair's space was not computed at this configuration.
 pub(crate) fn check_start(system: &System, pairs: &Pairs, q: &[f64]) -> Result<(), SimulateError> {
-    (0..pairs.list().len()).try_for_each(|index| match overlap_at_start(system, pairs, index, q)? {
+    (pairs.list().iter()).try_for_each(|pair| match overlap(pair, system, q)? {
         None => Ok(()),
-        Some(depth) => Err(overlap_error(system, pairs, index, depth)),
+        Some(depth) => Err(overlap_error(system, pair, depth)),
     })
 }
 
-/// The distance to the nearest contact of a pair that overlaps, and does not only touch; `None` of others.
+/// The distance to the nearest contact of a pair that overlaps by more than contacts are known to; `None` of others. It includes parts
+/// that fit exactly, which have no contact nearby.
 ///
 /// # Errors
 /// If the pair's space was not computed at this configuration.
-pub(crate) fn overlap_at_start(
+pub(crate) fn overlap(
+    pair: &MovingPair,
     system: &System,
-    pairs: &Pairs,
-    index: usize,
     q: &[f64],
 ) -> Result<Option<f64>, SimulateError> {
-    let pair = &pairs.list()[index];
-    let Some(depth) = depth(pair, system, q)? else {
+    let Some(depth) = depth(pair, system, q)?.filter(|depth| *depth > pair.touch) else {
         return Ok(None);
     };
-    match is_held(system, pairs, index, q) {
+    match is_held(pair, system, q) {
         Ok(is_held) => Ok((!is_held).then_some(depth)),
         Err(error) => {
             let [fixed, moving] = names(pair, system);
@@ -47,13 +46,8 @@ pub(crate) fn overlap_at_start(
 }
 
 /// The error of a pair that overlaps.
-pub(crate) fn overlap_error(
-    system: &System,
-    pairs: &Pairs,
-    index: usize,
-    depth: f64,
-) -> SimulateError {
-    let [fixed, moving] = names(&pairs.list()[index], system);
+pub(crate) fn overlap_error(system: &System, pair: &MovingPair, depth: f64) -> SimulateError {
+    let [fixed, moving] = names(pair, system);
     SimulateError::Overlap {
         fixed,
         moving,
@@ -72,11 +66,7 @@ pub(crate) fn names(pair: &MovingPair, system: &System) -> [String; 2] {
 ///
 /// # Errors
 /// If the pair's space was not computed at this configuration.
-pub(crate) fn depth(
-    pair: &MovingPair,
-    system: &System,
-    q: &[f64],
-) -> Result<Option<f64>, SimulateError> {
+fn depth(pair: &MovingPair, system: &System, q: &[f64]) -> Result<Option<f64>, SimulateError> {
     let at = pair.coordinates(system, q);
     let found = match pair.space.classify(at) {
         Ok(Classification::Blocked) => pair.space.nearest_contact(at).map(Some),
@@ -97,11 +87,10 @@ pub(crate) fn depth(
 
 /// Whether parts that are classified as blocked only touch. A wedged part is at the last orientation at which it fits,
 /// or beyond it by rounding, where nothing is free and no contact is near.
-fn is_held(system: &System, pairs: &Pairs, index: usize, q: &[f64]) -> Result<bool, QueryError> {
-    let pair = &pairs.list()[index];
+fn is_held(pair: &MovingPair, system: &System, q: &[f64]) -> Result<bool, QueryError> {
     if !matches!(pair.space, PairSpace::Planar(_)) {
         return Ok(false);
     }
-    let touches = pair.touches(index, system, q, pair.touch)?;
-    Ok(!touches.is_empty() || !pinching(system, pairs, index, q).is_empty())
+    let touches = pair.touches(0, system, q, pair.touch)?;
+    Ok(!touches.is_empty() || !pinching(system, (0, pair), q).is_empty())
 }

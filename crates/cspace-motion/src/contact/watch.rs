@@ -158,7 +158,7 @@ impl<'a> Watch<'a> {
                     true
                 } else {
                     let near = SAME_PLACE * self.system.size();
-                    has(&pinching(self.system, self.pairs, index, to), touch)
+                    has(&pinching(self.system, (index, pair), to), touch)
                         && self.stays(pair, touch, [from, to], near)
                 }
             };

@@ -9,15 +9,16 @@ use core::cell::Cell;
 
 use cspace::{PairSpace, Point};
 
+use crate::contact::overlap;
 use crate::error::SimulateError;
 use crate::kinematic::run;
 use crate::pairs::MovingPair;
 use crate::record::{EventKind, Record, Status, What};
 use crate::system::System;
 
+use super::Hand;
 use super::answer::{Dragged, Ending, Stopper};
 use super::target::{Target, Way};
-use super::{Hand, is_deep};
 
 /// Largest displacement by a spring at a time, relative to the size of the mechanism; also the displacement of
 /// overlapping parts before the overlap is checked again.
@@ -246,9 +247,9 @@ impl Drag<'_> {
         }
         // The result of the motion is checked again: no part may be forced into another.
         for pair in hand.pairs.list() {
-            let reason = match is_deep(pair, &hand.system, &q) {
-                Ok(false) => continue,
-                Ok(true) => "parts would overlap".to_owned(),
+            let reason = match overlap(pair, &hand.system, &q) {
+                Ok(None) => continue,
+                Ok(Some(_)) => "parts would overlap".to_owned(),
                 Err(error) => error.to_string(),
             };
             record.status = Status::Undetermined;
@@ -264,7 +265,8 @@ impl Drag<'_> {
         hand.state = q;
         if !hand.pairs.left_out().is_empty() {
             // Where nothing is known they may still overlap.
-            let still = |p: &&MovingPair| is_deep(p, &hand.system, &hand.state).unwrap_or(true);
+            let still =
+                |p: &&MovingPair| !matches!(overlap(p, &hand.system, &hand.state), Ok(None));
             let still = hand.pairs.left_out().iter().filter(still);
             let still: Vec<_> = still.map(|pair| (pair.fixed, pair.moving)).collect();
             (hand.pairs).leave_out(|pair| still.contains(&(pair.fixed, pair.moving)));

@@ -5,13 +5,13 @@ mod drag;
 mod target;
 
 use cspace::{Placement, Progress, Silent};
-use cspace_model::Mechanism;
+use cspace_model::{Compute, Mechanism, compute_anew};
 
 use crate::assemble::assemble;
-use crate::contact::depth;
 use crate::error::SimulateError;
+use crate::exact_fit::{Gap, Room, overlaps};
 use crate::kinematic::close;
-use crate::pairs::{MovingPair, Pairs};
+use crate::pairs::Pairs;
 use crate::simulate::check_ranges;
 use crate::system::System;
 
@@ -28,9 +28,10 @@ const MOST_ASSEMBLING: f64 = 10.0;
 /// nothing loads stays where it is until it is pushed.
 ///
 /// Parts that overlap in a state that is set are left out of contact with each other until they are apart, so that they can be pulled apart.
-/// No other parts come to overlap by more than [`MovingPair::touch`].
+/// Parts drawn flush touch, and do not overlap: of two that fit exactly one is smaller by a [gap](Self::gaps).
+/// No other parts come to overlap by more than [`MovingPair::touch`](crate::MovingPair::touch).
 ///
-/// A drag depends on the state and on the target alone. It uses neither clocks nor threads, and its steps are limited: what is too far away
+/// A drag depends on the state, on what is smaller, and on the target alone. It uses neither clocks nor threads, and its steps are limited: what is too far away
 /// for one call is reached by asking again.
 ///
 /// ```
@@ -63,6 +64,7 @@ pub struct Hand {
     system: System,
     pairs: Pairs,
     state: Vec<f64>,
+    gaps: Vec<Gap>,
 }
 
 impl Hand {
@@ -81,7 +83,8 @@ impl Hand {
     /// As [`new`](Self::new), and errors returned by `progress`.
     pub fn new_with(mechanism: &Mechanism, progress: &dyn Progress) -> Result<Self, SimulateError> {
         mechanism.check()?;
-        Self::of(mechanism, Pairs::compute(mechanism, progress)?)
+        let compute = compute_anew(progress);
+        Self::of_by(mechanism, Pairs::compute_by(mechanism, &compute)?, &compute)
     }
 
     /// Creates the hand from known spaces of the pairs ([`Pairs::of`]); pairs that are not among them never meet.
@@ -90,6 +93,14 @@ impl Hand {
     /// As [`new`](Self::new).
     pub fn of(mechanism: &Mechanism, pairs: Pairs) -> Result<Self, SimulateError> {
         mechanism.check()?;
+        Self::of_by(mechanism, pairs, &compute_anew(&Silent))
+    }
+
+    fn of_by(
+        mechanism: &Mechanism,
+        pairs: Pairs,
+        compute: &Compute<'_>,
+    ) -> Result<Self, SimulateError> {
         let driven = System::new(mechanism);
         if driven.count() == 0 {
             return Err(SimulateError::NothingMoves);
@@ -102,8 +113,14 @@ impl Hand {
             system,
             pairs: pairs.smooth(),
             state: Vec::new(),
+            gaps: Vec::new(),
         };
-        hand.set_state(&state)?;
+        // What fits exactly as it is drawn has room wherever it begins. What cannot be so is told where parts are put there.
+        let drawn = vec![0.0; state.len()];
+        if let Ok(Some(room)) = hand.room_at(&drawn) {
+            hand.make(&room, compute)?;
+        }
+        hand.set_state_by(&state, compute)?;
         Ok(hand)
     }
 
@@ -129,13 +146,22 @@ impl Hand {
         all.map(|pair| (pair.fixed, pair.moving)).collect()
     }
 
+    /// The parts that are smaller than drawn, because they fit exactly into another as they are drawn, or in a state that was set.
+    pub fn gaps(&self) -> &[Gap] {
+        &self.gaps
+    }
+
     /// Sets all coordinates; parts are moved by the shortest displacement to where joints hold. Contacts of pairs that
-    /// overlap there are ignored.
+    /// overlap there are ignored; of two parts that fit exactly one is smaller by a gap from then on.
     ///
     /// # Errors
-    /// If the number of coordinates is wrong or they are not finite, joints cannot hold there, or a part is outside of
-    /// its range or of the window of a pair. Then nothing is moved.
+    /// If the number of coordinates is wrong or they are not finite, joints cannot hold there, a part is outside of
+    /// its range or of the window of a pair, or one that fits exactly has edges too short to be smaller. Then nothing is moved.
     pub fn set_state(&mut self, state: &[f64]) -> Result<(), SimulateError> {
+        self.set_state_by(state, &compute_anew(&Silent))
+    }
+
+    fn set_state_by(&mut self, state: &[f64], compute: &Compute<'_>) -> Result<(), SimulateError> {
         let (found, count) = (state.len(), self.system.count());
         if found != count {
             return Err(SimulateError::Count { found, count });
@@ -147,29 +173,31 @@ impl Hand {
             return Err(self.system.open_joint(state));
         }
         check_ranges(&self.system, &q)?;
-        let overlapping = self.overlaps(&q)?;
+        if let Some(room) = self.room_at(&q)? {
+            self.make(&room, compute)?;
+        }
+        let found = overlaps(&self.system, self.pairs.all(), &q)?;
+        let deep: Vec<_> = (found.deep.iter())
+            .map(|(pair, _)| (pair.fixed, pair.moving))
+            .collect();
         self.pairs
-            .leave_out(|pair| overlapping.contains(&(pair.fixed, pair.moving)));
+            .leave_out(|pair| deep.contains(&(pair.fixed, pair.moving)));
         self.state = q;
         Ok(())
     }
 
-    /// The pairs that overlap at a configuration by more than contacts are known to.
-    fn overlaps(&self, q: &[f64]) -> Result<Vec<(usize, usize)>, SimulateError> {
-        let mut found = Vec::new();
-        for pair in self.pairs.list().iter().chain(self.pairs.left_out()) {
-            if is_deep(pair, &self.system, q)? {
-                found.push((pair.fixed, pair.moving));
-            }
-        }
-        Ok(found)
+    /// The mechanism with room where parts fit exactly, if any do.
+    fn room_at(&self, q: &[f64]) -> Result<Option<Room>, SimulateError> {
+        let exact = overlaps(&self.system, self.pairs.all(), q)?.exact;
+        let is_some = !exact.is_empty();
+        is_some.then(|| Room::of(&self.system, &exact)).transpose()
     }
-}
 
-/// Whether parts overlap by more than the error of contacts. Parts that are wedged at the last orientation at which
-/// they fit are beyond it by rounding, and no translation frees them: they are near a contact when turned by as little.
-fn is_deep(pair: &MovingPair, system: &System, q: &[f64]) -> Result<bool, SimulateError> {
-    let depth = depth(pair, system, q)?;
-    let is_near = || (pair.touches(0, system, q, pair.touch)).is_ok_and(|found| !found.is_empty());
-    Ok(depth.is_some_and(|depth| depth > pair.touch) && !is_near())
+    /// Makes room.
+    fn make(&mut self, room: &Room, compute: &Compute<'_>) -> Result<(), SimulateError> {
+        room.put_in(&mut self.pairs, compute)?;
+        self.system = self.system.reshaped(&room.mechanism);
+        self.gaps.extend_from_slice(&room.gaps);
+        Ok(())
+    }
 }

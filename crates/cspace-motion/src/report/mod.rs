@@ -70,7 +70,7 @@ impl Report {
             drops: &drops,
             peaks: peaks.as_ref(),
         };
-        let gaps = summary::gaps(system.mechanism(), simulation.gaps());
+        let gaps = (simulation.gaps().iter()).map(|gap| gap.sentence(system.mechanism()));
         let motion = summary::sentences(system, record, &trajectory, &found);
         let summary = gaps.chain(motion).collect();
         Self {

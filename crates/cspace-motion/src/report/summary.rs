@@ -3,7 +3,6 @@
 use core::f64::consts::TAU;
 
 use cspace::AxisMotion;
-use cspace_model::Mechanism;
 
 use super::contacts::{ContactInterval, together};
 use super::cycle::{Cycle, PartCycle};
@@ -12,7 +11,6 @@ use super::number::{bare_length, brief, degrees, length, percent, plain, with_un
 use super::peaks::{Peaks, sentences as forces};
 use super::phase::Clock;
 use super::trajectory::Trajectory;
-use crate::exact_fit::Gap;
 use crate::record::Record;
 use crate::system::{PartCoordinates, System};
 
@@ -33,17 +31,6 @@ pub(super) struct Found<'a> {
     pub(super) cycle: Option<&'a Cycle>,
     pub(super) drops: &'a [Drop],
     pub(super) peaks: Option<&'a Peaks>,
-}
-
-/// Sentences on the parts that are smaller than drawn.
-pub(super) fn gaps<'a>(
-    mechanism: &'a Mechanism,
-    gaps: &'a [Gap],
-) -> impl Iterator<Item = String> + 'a {
-    gaps.iter().map(|Gap { part, gap }| {
-        let gap = with_unit(mechanism, &format!("{gap:.1e}"));
-        format!("gap {gap}: the parts fit exactly, and {part} is smaller by it all around")
-    })
 }
 
 /// Sentences of the report: the cycle, the motion of each part in it, drops, contacts, forces.

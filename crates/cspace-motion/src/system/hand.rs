@@ -23,6 +23,13 @@ impl System {
         system
     }
 
+    /// A copy for a mechanism that differs in outlines alone.
+    pub(crate) fn reshaped(&self, mechanism: &Mechanism) -> Self {
+        let mut system = Self::new(mechanism);
+        system.braked.clone_from(&self.braked);
+        system
+    }
+
     /// Copy of the system with some coordinates of a part driven from one value to another in the first second. The
     /// position of a planar part is that of one of its points.
     pub(crate) fn led(&self, part: usize, point: Point, ways: &[(usize, [f64; 2])]) -> Self {

@@ -33,6 +33,8 @@ export interface Kernel<C extends Configuration = Configuration> {
 
   /** What `cspace classify` says; null outside the window or the ranges of motion, and of what is not finite. */
   classify(c: C): Classification | null;
+  /** Whether the parts fit exactly: they touch, and have no room to move. */
+  fitsExactly(c: C): boolean;
   /** The free region of a free configuration. */
   region(c: C): number | null;
   /** What `cspace play` lists: features no farther apart than a distance (model unit; the resolution unless given), nearest first. */

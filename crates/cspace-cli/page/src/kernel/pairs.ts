@@ -28,6 +28,10 @@ abstract class Any<C extends Configuration> implements Kernel<C> {
     return this.pair.classify(this.numbers(c)) ?? null;
   }
 
+  fitsExactly(c: C): boolean {
+    return this.pair.fitsExactly(this.numbers(c));
+  }
+
   region(c: C): number | null {
     return this.pair.region(this.numbers(c)) ?? null;
   }

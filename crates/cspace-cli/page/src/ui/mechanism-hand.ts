@@ -40,7 +40,7 @@ export class MechanismHand {
         const came = await this.#patiently(() => this.#workshop.drag(this.#edits(), drag));
         begin = null;
         this.#session.setPlacements(this.#placements(came.parts));
-        store.change({ held: { stopped: came.stopped, overlapping: came.overlapping } });
+        store.change({ held: { stopped: came.stopped, overlapping: came.overlapping, gaps: came.gaps } });
       }
       this.#isAsking = false;
     };

@@ -25,7 +25,7 @@ import { WorkError } from "./workshop.js";
 /** Fetches a pair with its space: from the server, of the model as it is edited. */
 export type Fetcher = (pair: number) => Promise<ScenePair>;
 
-const NOWHERE: Where = { classification: null, region: null, touching: [], nearest: null, patches: [] };
+const NOWHERE: Where = { classification: null, fits: false, region: null, touching: [], nearest: null, patches: [] };
 
 export class Session {
   readonly store: Store;
@@ -186,7 +186,7 @@ export class Session {
     const pair = this.pair;
     if (!pair) return;
     if (configuration && isAxes(configuration) === hasAxes(pair)) this.setConfiguration(configuration);
-    else if (this.state.where.classification === "blocked" && isAtRest(this.state.placements)) this.#comeIn(pair);
+    else if (this.state.where.classification === "blocked" && !this.state.where.fits && isAtRest(this.state.placements)) this.#comeIn(pair);
   }
 
   /** Parts may be drawn on top of each other: then the moving one comes in from a free place until it touches. */
@@ -235,6 +235,7 @@ export class Session {
     this.store.change({
       where: {
         classification,
+        fits: classification === "blocked" && kernel.fitsExactly(c),
         region: inside ? kernel.region(c) : null,
         touching: classification === "contact" ? kernel.touching(c) : [],
         nearest: inside ? kernel.nearest(c) : null,

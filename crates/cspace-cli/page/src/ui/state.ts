@@ -17,6 +17,8 @@ export type SpaceState =
 /** Where the configuration is. */
 export interface Where {
   classification: Classification | null;
+  /** Whether what is blocked touches, and has no room to move. */
+  fits: boolean;
   region: number | null;
   touching: Touch[];
   nearest: Touch | null;
@@ -59,8 +61,8 @@ export interface State {
   outdated: boolean;
   /** Whether what is dragged pushes all parts of the mechanism, and not the selected pair alone. */
   whole: boolean;
-  /** Of the last drag of the mechanism: what stopped it, in words, and the names of parts that overlap. */
-  held: { stopped: readonly string[]; overlapping: readonly (readonly [string, string])[] } | null;
+  /** Of the last drag of the mechanism: what stopped it, in words, the names of parts that overlap, and what is smaller than drawn, in words. */
+  held: { stopped: readonly string[]; overlapping: readonly (readonly [string, string])[]; gaps: readonly string[] } | null;
   /** Whether the parts are shown elsewhere than they are drawn, where they overlap. */
   displaced: boolean;
   /** What went wrong last, for the user. */

@@ -36,18 +36,19 @@ export class VerdictView {
   #draw(): void {
     const { pair, state } = this.#session;
     const told = this.#told();
-    set(this.#element, { "data-class": told ? state.where.classification : null });
+    set(this.#element, { "data-class": told ? (state.where.fits ? "contact" : state.where.classification) : null });
     if (told) say(this.#headline, headline(told));
     else if (state.space.state === "loading") say(this.#headline, "Computing …");
     else say(this.#headline, pair && lowerPair(pair) ? "Joined: the parts always touch." : "No configuration space.");
     this.#tellLater();
   }
 
-  /** What stopped the last drag of the mechanism, and which parts overlap. */
+  /** What stopped the last drag of the mechanism, which parts overlap, and which are smaller than drawn. */
   #sayHeld(): void {
-    const { stopped, overlapping } = this.#session.state.held ?? { stopped: [], overlapping: [] };
+    const { stopped, overlapping, gaps } = this.#session.state.held ?? { stopped: [], overlapping: [], gaps: [] };
     const lines = overlapping.map(([a, b]) => `${a} and ${b} overlap: drag them apart.`);
     if (stopped.length > 0) lines.push(`Stopped: ${stopped.slice(0, LISTED).join("; ")}${stopped.length > LISTED ? ` and ${stopped.length - LISTED} more` : ""}.`);
+    lines.push(...gaps.map((gap) => `${gap}.`));
     this.#held.replaceChildren(...lines.map((line) => html("p", {}, line)));
   }
 

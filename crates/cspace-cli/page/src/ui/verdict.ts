@@ -35,6 +35,7 @@ export function regionOf({ where, kernel }: { where: Where; kernel: Pick<Kernel,
 /** The verdict, in a sentence. */
 export function headline(told: Told): string {
   const { pair, where, fixed, moving } = told;
+  if (where.fits) return `${moving} fits ${fixed} exactly: they touch, and have no room to move.`;
   if (where.classification === "blocked") return `${moving} and ${fixed} overlap: real parts cannot be there.`;
   if (where.classification === null) return "This is outside of what was computed.";
   const region = regionOf(told);

@@ -7,7 +7,7 @@ use cspace_model::{Mechanism, PartEntry, PartPosition};
 use cspace_motion::{Dragged, Ending, Hand, PartCoordinates, SimulateError, Target, What};
 use cspace_oracle::Oracle;
 
-use crate::motion::helpers::{mechanism, model, near, read};
+use crate::motion::helpers::{mechanism, model, near, polygon, read};
 
 /// Checks that no two parts overlap by more than the resolution.
 #[track_caller]
@@ -245,6 +245,88 @@ fn parts_that_overlap_are_pulled_apart() {
     let dragged = hand.drag(1, Target::Axis(0.0)).unwrap();
     assert_eq!(dragged.ending, Ending::Stopped);
     near("where it is stopped", hand.state()[0], -0.5, 1e-9);
+}
+
+/// A key that fills its slot, drawn in it; its sides are 5 from the middle.
+fn keyed() -> Mechanism {
+    let slot = [
+        (-9.0, -9.0),
+        (9.0, -9.0),
+        (9.0, 0.0),
+        (5.0, 0.0),
+        (5.0, -5.0),
+        (-5.0, -5.0),
+        (-5.0, 0.0),
+        (-9.0, 0.0),
+    ];
+    mechanism(vec![
+        PartEntry::fixed(polygon("slot", &slot)),
+        PartEntry::planar(Part::rectangle("key", (0.0, 0.0), 10.0, 10.0).unwrap()),
+    ])
+}
+
+/// It does not overlap: it goes out of the slot and back, and no other way.
+#[test]
+fn a_key_drawn_in_its_slot_has_room() {
+    let keyed = keyed();
+    let mut begun_outside = keyed.clone();
+    begun_outside.dynamics.part_mut(1).start =
+        Some(PartPosition::Planar(Configuration::new(0.0, 20.0, 0.0)));
+    for mechanism in [&keyed, &begun_outside] {
+        let mut hand = Hand::new(mechanism).unwrap();
+        let [gap] = hand.gaps() else {
+            panic!("{:?}", hand.gaps())
+        };
+        assert_eq!(gap.part, "key");
+        let told = gap.sentence(mechanism);
+        assert!(told.contains("key is smaller"), "{told}");
+        let gap = gap.gap;
+        assert!(gap > 0.0 && gap < 3e-5, "{gap}");
+        hand.set_state(&[0.0; 3]).unwrap();
+        for (x, y) in [(7.0, 0.0), (-7.0, -1.0), (0.0, -8.0)] {
+            let target = Target::Planar(Configuration::new(x, y, 0.0));
+            let dragged = hand.drag(1, target).unwrap();
+            assert_eq!(dragged.ending, Ending::Stopped);
+            assert!(dragged.overlapping.is_empty());
+            let far = hand.state().iter().fold(0.0_f64, |far, u| far.max(u.abs()));
+            assert!(far < 1.5 * gap, "{:?}", hand.state());
+        }
+        for y in [30.0, 0.0] {
+            let target = Target::Planar(Configuration::new(0.0, y, 0.0));
+            let dragged = hand.drag(1, target).unwrap();
+            assert!(dragged.reached() && dragged.overlapping.is_empty());
+        }
+        // Another hand knows the state for one in which nothing overlaps.
+        let mut other = Hand::new(mechanism).unwrap();
+        other.set_state(&[0.5 * gap, -0.5 * gap, 0.0]).unwrap();
+        assert!(other.overlapping().is_empty());
+    }
+}
+
+/// Beside a key that fits exactly, one that overlaps is left out of contact until it is apart.
+#[test]
+fn an_exact_fit_beside_an_overlap() {
+    let mut keyed = keyed();
+    let cap = Part::rectangle("cap", (0.0, 9.5), 10.0, 10.0).unwrap();
+    keyed.parts.push(PartEntry::planar(cap));
+    let flush = Part::rectangle("rail", (20.0, -1.0), 10.0, 2.0).unwrap();
+    keyed.parts.push(PartEntry::fixed(flush));
+    let slider = Part::rectangle("slider", (20.0, 1.0), 2.0, 2.0).unwrap();
+    keyed.parts.push(PartEntry::prismatic(slider, (1.0, 0.0)));
+    keyed.pairs = keyed.every_two();
+    let mut hand = Hand::new(&keyed).unwrap();
+    assert_eq!(hand.overlapping(), [(1, 2)]);
+    let smaller: Vec<_> = hand.gaps().iter().map(|gap| &*gap.part).collect();
+    assert_eq!(smaller, ["key", "slider"]);
+    let up = Target::Planar(Configuration::new(0.0, 3.0, 0.0));
+    let dragged = hand.drag(2, up).unwrap();
+    assert!(dragged.reached() && dragged.overlapping.is_empty());
+    assert!(hand.drag(4, Target::Axis(3.0)).unwrap().reached());
+    // The key stops the cap, and the slot the key.
+    let down = Target::Planar(Configuration::new(0.0, 0.0, 0.0));
+    let dragged = hand.drag(2, down).unwrap();
+    assert_eq!(dragged.ending, Ending::Stopped);
+    assert!((hand.state()[4] - 0.5).abs() < 4.0 * hand.gaps()[0].gap);
 }
 
 #[test]

@@ -4,6 +4,7 @@ mod agreement;
 mod answers;
 mod axes;
 mod balance;
+mod drags;
 mod dynamic_bodies;
 mod dynamic_friction;
 mod dynamic_hostile;
