@@ -377,7 +377,7 @@ fn a_parallelogram_goes_on_as_one() {
     }
 }
 
-/// The same crossed: the cranks turn against each other, by a whole turn in one, with masses and without.
+/// Cranks of a crossed parallelogram turn against each other, by a whole turn in one, with masses and without.
 #[test]
 fn crossed_cranks_stay_crossed() {
     // Cranks pass each other: they are drawn shorter than they are.
