@@ -14,8 +14,10 @@ use crate::complementarity::Mode;
 
 /// Displacements in a step, as shares of the size: of the first bridges of a row, and of later ones.
 const SHARES: [f64; 3] = [1e-8, 1e-7, 1e-6];
-/// Number of steps of a bridge.
-const STEPS: usize = 16;
+/// Number of bridges in a row that have the same length of steps.
+const ALIKE: usize = 4;
+/// Number of steps of a bridge: of the first of a row, and of the longest.
+const STEPS: [usize; 2] = [16, 1024];
 
 /// An observer to whom the events of steps are not told: they are late or early by a step.
 struct Quiet<'o>(&'o mut dyn Observer);
@@ -47,16 +49,17 @@ impl<W: World + ?Sized> Run<'_, W> {
             return false;
         };
         let world = self.flow.world;
-        let far = SHARES[row.min(SHARES.len() - 1)] * world.size();
+        let far = SHARES[(row / ALIKE).min(SHARES.len() - 1)] * world.size();
+        let steps = (STEPS[0] << row.min(STEPS[1].ilog2() as usize)).min(STEPS[1]);
         let from = self.state.t;
-        let time = (STEPS as f64 * self.time_for(far)).min(left);
+        let time = (steps as f64 * self.time_for(far)).min(left);
         let until = match time < left {
             true => from + time,
             false => options.until,
         };
         let start = self.state.clone();
-        let stepped = step_through(world, start, until, STEPS, &mut Quiet(observer));
-        if stepped.steps < STEPS {
+        let stepped = step_through(world, start, until, steps, &mut Quiet(observer));
+        if stepped.steps < steps {
             return false;
         }
         self.state = stepped.last;

@@ -1,7 +1,5 @@
 //! The bridges of a motion: how many there are, and how many in a row.
 
-/// Number of bridges in a row that have the same length of steps.
-const ALIKE: usize = 4;
 /// Bridges are in a row if between two of them the motion comes no farther than this multiple of the first one's time.
 const FARTHER: f64 = 100.0;
 /// There are no more bridges than that in a motion.
@@ -19,16 +17,16 @@ pub(super) struct Bridges {
 }
 
 impl Bridges {
-    /// Begins a bridge at a time; returns how often, in its row, steps were made longer. `None` if there are too many.
+    /// Begins a bridge at a time; returns how many there are before it in its row. `None` if there are too many.
     pub(super) fn next(&mut self, t: f64) -> Option<usize> {
         let [begin, end] = self.last;
         if t > end + FARTHER * (end - begin) {
             self.in_a_row = 0;
         }
-        let longer = self.in_a_row / ALIKE;
+        let before = self.in_a_row;
         self.in_a_row += 1;
         self.all += 1;
-        (self.all <= MOST).then_some(longer)
+        (self.all <= MOST).then_some(before)
     }
 
     /// Ends the bridge.

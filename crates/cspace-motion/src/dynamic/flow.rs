@@ -17,6 +17,9 @@ const IDLE: f64 = 1e-9;
 /// Newton's method for gaps and joints converges in two or three steps.
 const PROJECTIONS: usize = 8;
 
+/// Rounding of a rate, as a share of the sizes of its terms.
+const SUMMED: f64 = 16.0 * f64::EPSILON;
+
 /// Bearing contacts with their modes.
 pub(super) type Bearings = Vec<(usize, Mode)>;
 
@@ -154,6 +157,7 @@ impl<'a, W: World + ?Sized> Flow<'a, W> {
         if joints.values.is_empty() && touches.is_empty() {
             return Some((state, open));
         }
+        let closed = 4.0 * f64::EPSILON * world.size();
         for round in 0..PROJECTIONS {
             let seat = |contact: usize| self.seats.get(&contact).copied().unwrap_or(0.0);
             let gaps = (touches.iter().zip(bearings)).map(|(t, b)| t.gap - seat(b.0));
@@ -164,10 +168,10 @@ impl<'a, W: World + ?Sized> Flow<'a, W> {
             if round == 0 {
                 open = off.amax();
             }
-            if off.amax() <= 4.0 * f64::EPSILON * world.size() {
+            if off.amax() <= closed {
                 break;
             }
-            state.q += self.least(&joints.rows, &touches, &[], &-&off)?;
+            state.q += self.least(&joints.rows, &touches, &[], &-&off, closed)?;
             (joints, touches) = at(&state);
         }
         let stuck = stuck(&touches, bearings);
@@ -178,21 +182,30 @@ impl<'a, W: World + ?Sized> Flow<'a, W> {
             jointed.len() + touches.len() + stuck.len(),
             jointed.iter().copied().chain(opening).chain(sliding),
         );
-        let step = self.least(&joints.rows, &touches, &stuck, &-off)?;
+        let rows = (touches.iter().map(|t| (&t.normal, t.drift[0])))
+            .chain(stuck.iter().map(|t| (&t.tangent, t.drift[1])));
+        let sizes = rows.map(|(row, drift)| {
+            let terms = row.iter().zip(&state.v);
+            terms.map(|(r, v)| (r * v).abs()).sum::<f64>() + drift.abs()
+        });
+        let slack = SUMMED * sizes.fold(0.0, f64::max);
+        let step = self.least(&joints.rows, &touches, &stuck, &-off, slack)?;
         state.v += step;
         Some((state, open))
     }
 
-    /// The least change, in the metric of the masses, that changes what joints, gaps and what sticks measure.
+    /// The least change, in the metric of the masses, that changes what joints, gaps and what sticks measure; to a slack, where more hold
+    /// than there are freedoms.
     fn least(
         &self,
         joints: &DMatrix<f64>,
         touches: &[Touch],
         stuck: &[&Touch],
         by: &DVector<f64>,
+        slack: f64,
     ) -> Option<DVector<f64>> {
         if let Some(lightness) = &self.lightness
-            && let Some(found) = lightness.least(joints, touches, stuck, by)
+            && let Some(found) = lightness.least(joints, touches, stuck, by, slack)
         {
             return Some(found);
         }

@@ -12,6 +12,7 @@ mod bridge;
 mod bridges;
 mod change_point;
 mod choose;
+mod crowd;
 mod direct;
 mod flow;
 mod impact;

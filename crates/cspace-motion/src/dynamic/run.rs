@@ -5,6 +5,7 @@ use nalgebra::DVector;
 use super::STILL;
 use super::accumulate::Impacts;
 use super::bridges::Bridges;
+use super::crowd::Crowd;
 use super::flow::{Bearings, Flow};
 use super::motion::{Ended, Event, Motion, Observer, Options, Work};
 use super::step::{Looked, Span};
@@ -12,8 +13,11 @@ use super::world::{Acting, State, Step, World};
 
 /// Events within this share of the time that is simulated happen at one time.
 const AT_ONE_TIME: f64 = 1e-13;
-/// Largest number of events at one time.
-const AT_ONCE: usize = 200;
+/// Largest number of events at one time, for each contact that bears and beside: contacts that share a load let go one after the other.
+const AT_ONCE: [usize; 2] = [2, 16];
+
+/// So often contacts may come back to the modes that they had at the same time: each leads to the next in a circle then.
+const AGAIN: usize = 2;
 
 /// Determinant at which joints count as folded: closer to such a configuration the rounding in accelerations, which are
 /// divided by it, may choose any of the possible directions.
@@ -24,9 +28,6 @@ const MOST_STEPS: usize = 10_000_000;
 /// Number of steps to come beyond which the motion is given up, if it has been exceeded for many steps in a row: they
 /// would take minutes. Fast motion for a moment, as of a part that is thrown against another, is followed.
 const FORESEEN: f64 = 1e6;
-/// So many events within a share of the time that is simulated are a crowd, which steps lead over.
-const CROWD: usize = 300;
-const CROWDED: f64 = 1e-4;
 /// See [`FORESEEN`].
 const MOST_SHORT: usize = 20_000;
 
@@ -231,7 +232,8 @@ impl<W: World + ?Sized> Run<'_, W> {
         settled?;
         let mut longest = options.longest.min(1e-3 * self.span);
         let (mut at_once, mut since) = (0, self.state.t);
-        let (mut short, mut crowd, mut crowded) = (0, 0, self.state.t);
+        let mut known: Vec<Bearings> = Vec::new();
+        let (mut short, mut crowd) = (0, Crowd::default());
         self.show(&self.state.clone(), self.state.t, observer)?;
         let start = self.state.t;
         let ahead = |&&t: &&f64| t > start && t < options.until;
@@ -308,15 +310,13 @@ impl<W: World + ?Sized> Run<'_, W> {
                 }
                 continue;
             }
-            crowd += 1;
-            if self.state.t > crowded + CROWDED * self.span {
-                (crowd, crowded) = (0, self.state.t);
-            }
             at_once += 1;
             if self.state.t > since + AT_ONE_TIME * self.span {
                 (at_once, since) = (0, self.state.t);
+                known.clear();
             }
-            if at_once > AT_ONCE || crowd > CROWD {
+            let most = AT_ONCE[0] * self.bearings.len() + AT_ONCE[1];
+            if at_once > most || crowd.grows(self.state.t, self.span) {
                 return Err(self.stuck());
             }
             let told = self.events.len();
@@ -327,6 +327,10 @@ impl<W: World + ?Sized> Run<'_, W> {
             let all_of_forces = stepped.events.iter().all(|e| e.1.is_of_force());
             if self.bearings == before && !stepped.met && all_of_forces {
                 (self.looked.steady).extend(stepped.events.iter().map(|e| e.0));
+            } else if known.iter().filter(|k| **k == self.bearings).count() > AGAIN {
+                return Err(self.stuck());
+            } else {
+                known.push(self.bearings.clone());
             }
             observer.changed(&self.state);
             longest = longest.min(1e-3 * self.span);

@@ -62,7 +62,7 @@ impl<'c, 'a, W: World + ?Sized> Course<'c, 'a, W> {
     }
 
     /// Interpolated state after a shorter step, without the projection: joints and contacts are violated slightly.
-    fn rough(&self, h: f64) -> State {
+    pub(super) fn rough(&self, h: f64) -> State {
         self.dense.at(self.span.from, h)
     }
 
