@@ -15,6 +15,9 @@ const MOST_LOOKS: usize = 16;
 const BEFORE: f64 = 1e-7;
 /// A function is looked for whose root is not farther back than coordinates change by this, relative to the size.
 const NEAR_EVENT: f64 = 1e-6;
+/// A function that is below 0 by this on the polynomial, as a share of the size, is below 0: the polynomial of so short a part of a step is
+/// right to less.
+const SEEN: f64 = 1e-12;
 /// Largest distance ahead at which a root counts: the error of contacts.
 const EARLY: f64 = 4.0 * super::super::CLOSED;
 
@@ -89,8 +92,8 @@ impl<W: World + ?Sized> Course<'_, '_, W> {
         };
         let mut first: Option<(f64, Taken, Sought)> = None;
         for sought in self.world().sought(step, 0.0) {
-            let value = |to: &Taken| self.world().value(sought, to.state.t, &to.state.q);
-            if let Some((h, taken)) = self.last_root(after, &end, &value)
+            let value = |to: &State| self.world().value(sought, to.t, &to.q);
+            if let Some((h, taken)) = self.last_root(after, &end.state, &value)
                 && first.as_ref().is_none_or(|f| h < f.0)
             {
                 first = Some((h, taken, sought));
@@ -157,18 +160,18 @@ impl<W: World + ?Sized> Course<'_, '_, W> {
     fn last_root(
         &self,
         after: f64,
-        end: &Taken,
-        value: &dyn Fn(&Taken) -> f64,
+        end: &State,
+        value: &dyn Fn(&State) -> f64,
     ) -> Option<(f64, Taken)> {
         let world = self.world();
-        let far = |to: &Taken| world.reach(&(&to.state.q - &end.state.q));
+        let far = |to: &State| world.reach(&(&to.q - &end.q));
         let (mut below, mut above, mut back) = (after, after, LOCATED * after);
         // Spaces report contacts a little early.
         let mut early = value(end) >= 0.0;
         while early {
             below = after + back;
             back *= 2.0;
-            let to = self.at(below)?;
+            let to = self.at(below)?.state;
             if far(&to) > EARLY * world.size() {
                 return None;
             }
@@ -177,7 +180,16 @@ impl<W: World + ?Sized> Course<'_, '_, W> {
         while below <= after {
             above = (above - back).max(0.0);
             back *= 2.0;
-            let to = self.at(above)?;
+            // The polynomial shows whether to look farther back.
+            let about = self.rough(above);
+            if above > 0.0
+                && value(&about) < -SEEN * world.size()
+                && far(&about) <= NEAR_EVENT * world.size()
+            {
+                below = above;
+                continue;
+            }
+            let to = self.at(above)?.state;
             if value(&to) >= 0.0 {
                 break;
             }
@@ -186,7 +198,7 @@ impl<W: World + ?Sized> Course<'_, '_, W> {
             }
             below = above;
         }
-        let of = |h: f64| self.at(h).map(|to| value(&to));
+        let of = |h: f64| self.at(h).map(|to| value(&to.state));
         let below = root((above, of(above)?), (below, of(below)?), of)?;
         Some((below, self.at(below)?))
     }
