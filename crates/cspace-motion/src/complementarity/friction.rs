@@ -159,7 +159,12 @@ impl<'a> Complementarity<'a> {
 pub(crate) fn solutions(problem: &Problem, reduced: &Reduced) -> Vec<Solution> {
     let complementarity = Complementarity::of(&problem.bearings, reduced);
     let mut found = Vec::new();
+    // Without friction the first is all: x is that of a convex problem.
+    let has_friction = problem.bearings.iter().any(|b| b.friction != 0.0);
     for time in 0..COVERS {
+        if !has_friction && !found.is_empty() {
+            break;
+        }
         let cover = complementarity.cover(time);
         let Outcome::Solution(z) = lemke_from(&complementarity.m, &complementarity.q, &cover)
         else {

@@ -20,6 +20,8 @@ use super::reduced::Reduced;
 
 /// Largest number of combinations of modes that are tried.
 pub(crate) const MOST: usize = 1024;
+/// Largest number of them where no contact rubs: one solution is all then, which Lemke's method finds sooner.
+const MOST_SMOOTH: usize = 32;
 
 impl Problem<'_> {
     /// Solutions that differ in x: all of them if there are at most [`MOST`] combinations of modes, else those that Lemke's method
@@ -31,11 +33,16 @@ impl Problem<'_> {
         let count = (self.bearings.iter())
             .try_fold(1_usize, |all, b| all.checked_mul(b.choices().len()))
             .filter(|&count| count <= MOST);
-        if count.is_some() {
-            self.enumerated(&reduced)
-        } else {
-            self.pivoted(&reduced)
+        let rubs = self.bearings.iter().any(|b| b.friction != 0.0);
+        let is_few = |count: usize| rubs || count <= MOST_SMOOTH;
+        if count.is_some_and(is_few) {
+            return self.enumerated(&reduced);
         }
+        let found = self.pivoted(&reduced);
+        if found.is_empty() && count.is_some() {
+            return self.enumerated(&reduced);
+        }
+        found
     }
 
     /// Indices of the contacts that contradict by themselves: with one of them alone there is no solution, as where a rod is pushed over a

@@ -8,7 +8,7 @@ use std::collections::VecDeque;
 /// So many events within a share of the time that is simulated are a crowd, whatever their order.
 const MOST: (usize, f64) = (300, 1e-4);
 /// As are so many if they do not accumulate.
-const EVEN: (usize, f64) = (64, 1e-5);
+const EVEN: (usize, f64) = (64, 1e-4);
 /// Events accumulate if the second half of them takes less than this share of the time of the first: impacts with a restitution of up to
 /// 0.97, or where two contacts strike in turn, of 0.95.
 const NEARER: f64 = 0.5;
@@ -47,7 +47,7 @@ mod tests {
     #[test]
     fn even_events_are_a_crowd_and_bounces_are_none() {
         assert_eq!(crowded(1e-8, 1.0), Some(EVEN.0));
-        assert_eq!(crowded(1e-6, 1.0), None);
+        assert_eq!(crowded(1e-5, 1.0), None);
         // Bounces come to rest before there are that many.
         for restitution in [0.3, 0.6, 0.9, 0.97] {
             assert!(crowded(0.5, restitution).is_none_or(|n| n >= MOST.0));
