@@ -142,7 +142,7 @@ impl Lightness {
         };
         for block in system.blocks(self.0.len()) {
             let is_regular = self.solve(system, &block, &mut found)?;
-            if !is_regular && !(shared && holds(system, &block, &found, slack)) {
+            if !(is_regular || shared && holds(system, &block, &found, slack)) {
                 return None;
             }
         }
