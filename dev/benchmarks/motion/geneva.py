@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""A Geneva drive, turn for turn: pymunk and Siconos beside `cspace simulate`.
+"""A Geneva drive, turn for turn: pymunk, Box2D and Siconos beside `cspace simulate`.
 
     dev/benchmarks/motion/run geneva             # makes an environment with the peers, then this
     dev/benchmarks/motion/run geneva --turns 3 --steps 1e-3 1e-4
@@ -12,6 +12,7 @@ wheel's inertia, holds the wheel where nothing pushes it, as in the kinematic mo
 - `pymunk` moves convex polygons: outlines become chords that are nowhere farther from the arcs than `--chord`, cut into convex pieces by pymunk itself.
   The driver is a kinematic body of constant rate, the brake a motor. Settings are as pymunk has them, and in `tightened` contacts
   that may overlap by 1e-5 and not by 0.1, 30 iterations and not 10.
+- `box2d` moves the same pieces, in single precision, with 8 and 3 iterations.
 - `siconos` has the arcs: its MoreauJeanOSI calls geneva.c for the gap between each circle of the driver and the wheel's outline. The
   driver turns by an inertia of 1e20, and the brake is a damper that stops the wheel within milliseconds.
 
@@ -21,11 +22,10 @@ seconds that 1e-9 deg take: measured where a run reached it, otherwise extrapola
 """
 
 import argparse
-import json
+import itertools
 import math
 import os
 import pathlib
-import subprocess
 import sys
 import tempfile
 import tomllib
@@ -39,6 +39,7 @@ CRANK, DISTANCE, PLAY = 30.0, 60.0, 0.1
 WANTED = 1e-9  # degrees
 MASS, INERTIA, BRAKE = 0.1, 0.5 * 0.1 * 50**2, 2e4  # of the wheel, kg and mm
 BRAKED = 1e-3  # s in which Siconos's brake takes the wheel's rate to 1/e
+PEERS = ["siconos", "pymunk", "tightened", "box2d"]
 # When in a turn the wheel is looked at: seconds in which the pin drives it, and the end.
 TIMES = [round(0.38 + 0.02 * k, 2) for k in range(13)] + [1.0]
 
@@ -120,6 +121,40 @@ def by_pymunk(model, turns, step, chord, tight):
     return stepped(turns, step, lambda: space.step(step), lambda: wheel.angle)
 
 
+def divided(piece, most):
+    """A convex polygon as some of no more than so many corners."""
+    while len(piece) > most:
+        yield piece[:most]
+        piece = [piece[0], *piece[most - 1:]]
+    yield piece
+
+
+def by_box2d(model, turns, step, chord):
+    """The same by Box2D."""
+    import Box2D
+
+    world = Box2D.b2World(gravity=(0, 0), doSleep=False)
+    bodies = {}
+    for part in model["part"]:
+        create = world.CreateKinematicBody if part["name"] == "driver" else world.CreateDynamicBody
+        body = create(position=part["motion"]["center"])
+        pieces, circles = shapes(part, chord)
+        few = itertools.chain.from_iterable(divided(piece, Box2D.b2_maxPolygonVertices - 1) for piece in pieces)
+        made = [Box2D.b2PolygonShape(vertices=piece) for piece in few]
+        for shape in made:
+            shape.radius = 0.0  # of its rim, which would take a tenth of the play
+        made += [Box2D.b2CircleShape(radius=radius, pos=(centre.real, centre.imag)) for centre, radius in circles]
+        for shape in made:
+            body.CreateFixture(shape=shape, density=1.0, friction=0.0, restitution=0.0, groupIndex=-1 - len(bodies))
+        bodies[part["name"]] = body
+    bodies["driver"].angularVelocity = 2 * math.pi
+    wheel = bodies["wheel"]
+    wheel.massData = Box2D.b2MassData(mass=MASS, center=(0, 0), I=INERTIA)
+    world.CreateRevoluteJoint(bodyA=world.CreateStaticBody(), bodyB=wheel, anchor=wheel.position,
+                              enableMotor=True, motorSpeed=0.0, maxMotorTorque=BRAKE)
+    return stepped(turns, step, lambda: world.Step(step, 8, 3), lambda: wheel.angle)
+
+
 def stepped(turns, step, advance, angle):
     """The wheel's angles at the times of each turn, in degrees, and the seconds that took."""
     begun = peers.spent()
@@ -175,10 +210,7 @@ def by_siconos(plugin, turns, step):
 
 def by_cspace(program, file, turns):
     """The same."""
-    begun = peers.spent()
-    command = [program, "simulate", file, "--time", str(turns + 1), "--every", "0.02", "--json"]
-    answer = json.loads(subprocess.run(command, stdout=subprocess.PIPE, check=True, text=True).stdout)
-    seconds = peers.spent() - begun
+    answer, seconds = peers.simulated(program, file, turns + 1, "--every", "0.02")
     samples = answer["samples"]
     return [math.degrees(samples[round(50 * (turn + when))]["wheel"]) for turn in range(turns + 1) for when in TIMES], seconds
 
@@ -213,7 +245,7 @@ def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("--cspace", default="cspace")
     parser.add_argument("--turns", type=int, default=2)
-    parser.add_argument("--peers", nargs="+", choices=["siconos", "pymunk", "tightened"], default=["siconos", "pymunk", "tightened"])
+    parser.add_argument("--peers", nargs="+", choices=PEERS, default=PEERS)
     parser.add_argument("--steps", type=float, nargs="+", default=[1e-3, 1e-4, 1e-5])
     parser.add_argument("--chord", type=float, default=1e-2)
     options = parser.parse_args()
@@ -230,6 +262,7 @@ def main():
             "siconos": lambda step: by_siconos(plugin, options.turns, step),
             "pymunk": lambda step: by_pymunk(model, options.turns, step, options.chord, False),
             "tightened": lambda step: by_pymunk(model, options.turns, step, options.chord, True),
+            "box2d": lambda step: by_box2d(model, options.turns, step, options.chord),
         }
         for name in options.peers:
             try:

@@ -1,10 +1,12 @@
-"""What both comparisons need of their peers: compiled equations, and the order at which errors fall."""
+"""What the comparisons share: compiled equations, cspace's answer, processor time, and the order at which errors fall."""
 
 import ctypes
 import itertools
+import json
 import math
 import os
 import pathlib
+import resource
 import statistics
 import subprocess
 
@@ -24,7 +26,25 @@ def compiled(source, folder, name, numbers):
 
 def spent():
     """Seconds of processor time so far, of this process and of the programs that it ran: others on the machine do not change them."""
-    return sum(os.times()[:4])
+    used = [resource.getrusage(who) for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)]
+    return sum(of.ru_utime + of.ru_stime for of in used)
+
+
+def simulated(program, file, time, *options):
+    """What `cspace simulate` answers, and the seconds of the whole process."""
+    begun = spent()
+    command = [program, "simulate", str(file), "--time", str(time), *options, "--json"]
+    answer = json.loads(subprocess.run(command, stdout=subprocess.PIPE, check=True, text=True).stdout)
+    return answer, spent() - begun
+
+
+def row(*cells):
+    print("| " + " | ".join(cells) + " |", flush=True)
+
+
+def stepped(step):
+    """A step in words: a fraction of a second."""
+    return f"1/{round(1 / step)} s"
 
 
 def cost(runs, wanted):

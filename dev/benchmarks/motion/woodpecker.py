@@ -26,11 +26,9 @@ with is the one in crates/cspace-motion/tests/dynamic.rs, by the code of cspace 
 
 import argparse
 import ctypes
-import json
 import math
 import os
 import pathlib
-import subprocess
 import sys
 import tempfile
 import tomllib
@@ -157,8 +155,7 @@ def by_pymunk(toy, step, seconds):
 
 
 def by_cspace(program, file, seconds):
-    command = [program, "simulate", file, "--time", str(seconds), "--json"]
-    answer = json.loads(subprocess.run(command, stdout=subprocess.PIPE, check=True, text=True).stdout)
+    answer, _ = peers.simulated(program, file, seconds)
     return [event["t"] for event in answer["events"] if event["kind"] == "impact" and event["moving"] == "bird"]
 
 
