@@ -4,11 +4,12 @@
     dev/benchmarks/motion/run heap
     dev/benchmarks/motion/run heap --bodies 20 --seed 3 --steps 1e-4
 
-Where they come to lie nobody knows, and programs differ, as the motion is chaotic. But bodies do not overlap, in the end each touches another or the
-bin, and as nothing bounces and nothing drives them, the sum of kinetic and potential energy never rises. Printed are, of frames 0.05 s apart, the deepest overlap of
-all and that of the last; how far the body that touches nothing in the last is from all others; by how much the energy ever rises above what it was
-in a frame before, as a part of what is lost in all; and processor seconds for each simulated second, of the peers those of the steps, of cspace those of the
-whole process. All but the seconds is computed here from shapes and states, for all programs alike.
+Where they come to lie nobody knows, and programs differ, as the motion is chaotic. But bodies do not overlap, in the end each touches
+another or the bin, and as nothing bounces and nothing drives them, the sum of kinetic and potential energy never rises. Printed are, of
+frames 0.05 s apart, the deepest overlap of all and that of the last; how far the body that touches nothing in the last is from all others;
+by how much the energy ever rises above what it was in a frame before, as a part of what is lost in all; and processor seconds for each
+simulated second, of the peers those of the steps, of cspace those of the whole process. All but the seconds is computed here from shapes
+and states, for all programs alike.
 
 Siconos has no shapes of its own to find contacts of a heap with, and is left out.
 """

@@ -2,14 +2,14 @@
 """A block on a rough incline: pymunk, Box2D and Siconos beside `cspace simulate`, and beside the formula.
 
     dev/benchmarks/motion/run ramp
-    dev/benchmarks/motion/run ramp --steps 1e-3 1e-5 --peers siconos
+    dev/benchmarks/motion/run ramp --steps 1e-3 1e-5 --peers Siconos
 
-The block lies on the incline as drawn and is let go. With a friction of 0.3 it slides by s = g/2 (sin a - mu cos a) t^2; with one just above tan a it stays
-where it is. Printed, for each step, is by how much it is off after --time, along the incline, and the processor seconds: of the peers those of the steps,
-of cspace those of the whole process.
+The block lies on the incline as drawn and is let go. With a friction of 0.3 it slides by s = g/2 (sin a - mu cos a) t^2; with one just above
+tan a it stays where it is. Printed, for each step, is by how much it is off after --time, along the incline, and the processor seconds: of
+the peers those of the steps, of cspace those of the whole process.
 
-Siconos has no shapes: its MoreauJeanOSI is given the gaps of the block's two lower corners, linear in its place along and above the incline and its
-angle; this is exact, as the block does not turn.
+Siconos has no shapes: its MoreauJeanOSI is given the gaps of the block's two lower corners, linear in its place along and above the incline and in
+its angle: what is left out is of the angle's square, which stays below 1e-5.
 """
 
 import argparse
@@ -104,7 +104,7 @@ part = [
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("--cspace", default="cspace")
-    parser.add_argument("--peers", nargs="+", choices=["siconos", *WORLDS], default=["siconos", *WORLDS])
+    parser.add_argument("--peers", nargs="+", choices=["Siconos", *WORLDS], default=["Siconos", *WORLDS])
     parser.add_argument("--steps", type=float, nargs="+", default=[1 / 60, 1 / 240, 1e-3, 1e-4])
     parser.add_argument("--time", type=float, default=2.0)
     options = parser.parse_args()
@@ -116,14 +116,14 @@ def main():
         cells = []
         for friction in CASES.values():
             place, seconds = follow(friction)
-            cells.append(f"{place - exact(friction, options.time):.2g} off in {seconds:.2f} s")
+            cells.append(f"{place - exact(friction, options.time):.2g} off in {seconds:.2g} s")
         peers.row(name, *cells)
 
     told("`cspace`", lambda friction: by_cspace(options.cspace, friction, options.time))
     for name in options.peers:
         try:
             for step in options.steps:
-                follow = by_siconos if name == "siconos" else lambda *given: by_world(name, *given)  # noqa: B023
+                follow = by_siconos if name == "Siconos" else lambda *given: by_world(name, *given)  # noqa: B023
                 told(f"{name}, {peers.stepped(step)}", lambda friction: follow(friction, options.time, step))  # noqa: B023
         except ImportError as missing:
             print(f"{name} is left out: {missing}", file=sys.stderr)

@@ -1,8 +1,8 @@
 """pymunk and Box2D as one: rigid bodies, discs and convex polygons about their centres of mass, that fall, strike without bouncing, and rub.
 
-Lengths are metres. Box2D (single precision) is as it comes, with the 8 and 3 iterations that its manual advises, except that nothing is put to sleep, so
-that what stands still stands by its contacts. pymunk is tightened, as its contacts may otherwise overlap by 0.1: SLOP, 30 iterations, and what is
-deeper is put right in one step.
+Lengths are metres. Box2D (single precision) is as it comes, with the 8 and 3 iterations that its manual advises, except that nothing is put
+to sleep, so that what stands still stands by its contacts. pymunk is tightened, as its contacts may otherwise overlap by 0.1: SLOP, 30
+iterations, and what is deeper is put right in one step.
 """
 
 import math
