@@ -95,9 +95,9 @@ def by_world(name, bodies, fixed, time, step):
     made = [world.add(*body) for body in bodies]
     frames = []
     begun = peers.spent()
-    for _ in range(round(time / FRAME) + 1):
+    for _ in range(peers.whole(time, FRAME) + 1):
         frames.append([world.state(body) for body in made])
-        for _ in range(round(FRAME / step)):
+        for _ in range(peers.whole(FRAME, step)):
             world.step(step)
     return frames, peers.spent() - begun
 
@@ -153,7 +153,7 @@ def main():
     for name in options.peers:
         try:
             for step in options.steps:
-                told(f"{name}, {peers.stepped(step)}", bodies, fixed, *by_world(name, bodies, fixed, options.time, step))
+                told(f"{name}, {step:.3g} s", bodies, fixed, *by_world(name, bodies, fixed, options.time, step))
         except ImportError as missing:
             print(f"{name} is left out: {missing}", file=sys.stderr)
 

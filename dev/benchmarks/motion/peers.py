@@ -42,9 +42,12 @@ def row(*cells):
     print("| " + " | ".join(cells) + " |", flush=True)
 
 
-def stepped(step):
-    """A step in words: a fraction of a second."""
-    return f"1/{round(1 / step)} s"
+def whole(time, step):
+    """How many steps make up a time; a step that does not divide it ends the program."""
+    count = round(time / step)
+    if abs(count * step - time) > 1e-9 * time:
+        raise SystemExit(f"steps of {step:g} s do not make up {time:g} s: give steps that divide it")
+    return count
 
 
 def cost(runs, wanted):

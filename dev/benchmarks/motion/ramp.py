@@ -51,7 +51,7 @@ def by_world(name, friction, time, step):
     block = world.add(rectangle(WIDTH, HEIGHT), MASS, turned(0, HEIGHT / 2), -ANGLE)
     begin = along(*world.state(block)[:2])
     begun = peers.spent()
-    for _ in range(round(time / step)):
+    for _ in range(peers.whole(time, step)):
         world.step(step)
     return along(*world.state(block)[:2]) - begin, peers.spent() - begun
 
@@ -75,7 +75,7 @@ def by_siconos(friction, time, step):
     impulses = kernel.FrictionContact(2, numerics.SICONOS_FRICTION_2D_LEMKE)
     steps = kernel.TimeStepping(system, kernel.TimeDiscretisation(0, step), kernel.MoreauJeanOSI(0.5), impulses)
     begun = peers.spent()
-    for _ in range(round(time / step)):
+    for _ in range(peers.whole(time, step)):
         steps.computeOneStep()
         steps.nextStep()
     return body.q()[0], peers.spent() - begun
@@ -124,7 +124,7 @@ def main():
         try:
             for step in options.steps:
                 follow = by_siconos if name == "Siconos" else lambda *given: by_world(name, *given)  # noqa: B023
-                told(f"{name}, {peers.stepped(step)}", lambda friction: follow(friction, options.time, step))  # noqa: B023
+                told(f"{name}, {step:.3g} s", lambda friction: follow(friction, options.time, step))  # noqa: B023
         except ImportError as missing:
             print(f"{name} is left out: {missing}", file=sys.stderr)
 
