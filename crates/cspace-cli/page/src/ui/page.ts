@@ -80,7 +80,7 @@ export function openPage({ scene, isOpened }: Shown, worker: string): void {
   new Graphs(byId("graphs"), session);
   new Readout(byId("readout"), session);
   new ThetaSlider(byId("theta"), session);
-  const timeline = new Timeline(byId("timeline"), session);
+  const timeline = new Timeline(byId("timeline"), session, edits);
   const ways = workshop ? new Ways(session, workshop, timeline, edits) : null;
   const help = makeHelp();
 
@@ -127,8 +127,8 @@ export function openPage({ scene, isOpened }: Shown, worker: string): void {
     redo: () => editor?.redo(),
     removeVertex: () => editor?.removeSelected(),
     toggleWhole: () => store.change({ whole: !store.state.whole, held: null }),
-    wayOut: (widest) => void ways?.out(widest).catch(failed),
-    playMechanism: () => void ways?.mechanism().catch(failed),
+    wayOut: (widest) => ways?.out(widest),
+    playMechanism: () => ways?.mechanism(),
     openRecord: () => chooseFile(".toml,.dxf,.svg,.json,.gz,application/json", (file) => void openFile(file).catch(failed)),
     saveSvg: () => download(fileName(scene.name, "svg"), svgFile(made())),
     savePng: () => void pngFile(made()).then((blob) => download(fileName(scene.name, "png"), blob), failed),

@@ -62,6 +62,7 @@ export class Session {
       time: 0,
       playing: false,
       speed: 1,
+      stale: false,
       editing: false,
       height: address.height ?? USUAL.height,
       measuring: false,

@@ -25,15 +25,15 @@ export class Ways {
     this.#edits = edits;
   }
 
-  /** Plays a way from here to where the part is free for good, the widest if that is wanted; or says why there is none. */
-  async out(widest: boolean): Promise<void> {
-    const { state } = this.#session;
-    const text = await this.#busy("Looking for a way out …", () =>
-      this.#workshop.plan(state.pair, this.#edits(), numbersOf(state.configuration), [], widest),
-    );
-    const plan = JSON.parse(text) as Plan;
-    if (plan.verdict === "path") this.#timeline.play(widest ? "widest way out" : "way out", text);
-    else this.#session.store.change({ message: this.#why(plan) });
+  /** Plays a way to where the part is free for good, the widest if that is wanted; or says why there is none. */
+  out(widest: boolean, from = this.#session.state.configuration): void {
+    const { pair } = this.#session.state;
+    const ask = (edits: Edits) => this.#workshop.plan(pair, edits, numbersOf(from), [], widest);
+    void this.#answered("Looking for a way out …", ask, (text, edits) => {
+      const plan = JSON.parse(text) as Plan;
+      if (plan.verdict !== "path") this.#session.store.change({ message: this.#why(plan) });
+      else this.#timeline.play(widest ? "widest way out" : "way out", text, edits, () => this.out(widest, from));
+    });
   }
 
   #why({ verdict, enclosed }: Plan): string {
@@ -46,17 +46,20 @@ export class Ways {
   }
 
   /** Plays the whole mechanism, as its drives move it. */
-  async mechanism(): Promise<void> {
-    const text = await this.#busy("Computing the motion of the mechanism …", () => this.#workshop.simulate(this.#edits()));
-    this.#timeline.play("mechanism", text);
+  mechanism(): void {
+    const ask = (edits: Edits) => this.#workshop.simulate(edits);
+    void this.#answered("Computing the motion of the mechanism …", ask, (text, edits) => this.#timeline.play("mechanism", text, edits, () => this.mechanism()));
   }
 
-  /** Says what is done as long as it is. */
-  async #busy<T>(message: string, work: () => Promise<T>): Promise<T> {
+  /** Asks about the model as it is edited; says what is done as long as it is, and what went wrong. */
+  async #answered(message: string, ask: (edits: Edits) => Promise<string>, take: (text: string, edits: Edits) => void): Promise<void> {
     const { store } = this.#session;
+    const edits = this.#edits();
     store.change({ message });
     try {
-      return await work();
+      take(await ask(edits), edits);
+    } catch (error) {
+      store.change({ message: error instanceof Error ? error.message : String(error) });
     } finally {
       if (store.state.message === message) store.change({ message: null });
     }
