@@ -9,6 +9,7 @@ import { RecordError } from "./record-json.js";
 import { readRecord, readRecordText } from "./records.js";
 import type { Session } from "./session.js";
 import type { Key } from "./state.js";
+import { UNCHANGED } from "./workshop.js";
 import type { Edits } from "./workshop.js";
 
 const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4] as const;
@@ -113,7 +114,7 @@ export class Timeline {
       const record = read();
       const problem = record.kind === "simulation" ? this.#mismatch(record) : null;
       if (problem) throw new RecordError(problem);
-      this.#records.set(record, { edits: JSON.stringify({ set: [], parts: [] } satisfies Edits), again: null });
+      this.#records.set(record, { edits: JSON.stringify(UNCHANGED), again: null });
     });
   }
 
