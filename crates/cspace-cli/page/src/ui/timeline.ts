@@ -19,7 +19,7 @@ const NAMED_TICKS = 400;
 /** Of which model a record is: its edits as JSON, and how it is computed again of another; null if it is not the page's. */
 interface Origin {
   edits: string;
-  again: (() => void) | null;
+  again: (() => Promise<void>) | null;
 }
 
 export class Timeline {
@@ -60,7 +60,7 @@ export class Timeline {
       if (!again) return;
       this.#records.delete(record);
       this.#choose(null);
-      again();
+      again().catch((error: unknown) => store.change({ message: String(error) }));
     });
     const close = html("button", { type: "button", "aria-label": "Close the record" }, "✕");
     close.addEventListener("click", () => this.#choose(null));
@@ -90,9 +90,10 @@ export class Timeline {
   }
 
   /** Plays what the page has computed itself, of a model with edits. */
-  play(name: string, text: string, edits: Edits, again: () => void): void {
+  play(name: string, text: string, edits: Edits, again: Origin["again"]): void {
     this.#open(() => readRecordText(name, text), edits, again);
-    if (this.#session.state.record?.name === name) this.#session.store.change({ playing: true });
+    const { record, stale } = this.#session.state;
+    if (record?.name === name) this.#session.store.change({ playing: !stale });
   }
 
   /** Takes a record that the user opens, and plays it; one that is none of this model is told and forgotten. */
@@ -136,6 +137,7 @@ export class Timeline {
       return;
     }
     this.#session.store.change({ record, time: 0, playing: false });
+    this.#compare();
   }
 
   /** Why a record is none of this model. */
@@ -163,8 +165,8 @@ export class Timeline {
     // A way belongs to the pair it was planned for.
     if (changed.has("pair") && !changed.has("record") && record?.kind === "plan") this.#choose(null);
     if (changed.has("record")) this.#drawRecord(record);
-    if ((["record", "scene", "parts"] as Key[]).some((k) => changed.has(k))) this.#compare();
-    if (changed.has("stale")) this.#drawStale();
+    if (changed.has("scene") || changed.has("parts")) this.#compare();
+    if (changed.has("stale") || changed.has("record")) this.#drawStale();
     if (changed.has("playing")) {
       say(this.#play, state.playing ? "❚❚" : "▶");
       set(this.#play, { "aria-label": state.playing ? "Pause" : "Play" });
@@ -173,7 +175,7 @@ export class Timeline {
         requestAnimationFrame((now) => this.#tick(now));
       }
     }
-    if (!record || state.stale || !(["time", "record", "stale"] as Key[]).some((k) => changed.has(k))) return;
+    if (!record || this.#session.state.stale || !(["time", "record", "stale"] as Key[]).some((k) => changed.has(k))) return;
     this.#scrub.value = String(state.time);
     const told = [...record.ticks].reverse().find((t) => t.t <= state.time);
     const [now, end] = record.kind === "plan" ? [state.time, record.duration] : [stateAt(record, state.time)?.time ?? 0, record.steps.at(-1)?.time ?? 0];

@@ -25,15 +25,16 @@ export class Ways {
     this.#edits = edits;
   }
 
-  /** Plays a way to where the part is free for good, the widest if that is wanted; or says why there is none. */
-  out(widest: boolean, from = this.#session.state.configuration): void {
-    const { pair } = this.#session.state;
-    const ask = (edits: Edits) => this.#workshop.plan(pair, edits, numbersOf(from), [], widest);
-    void this.#answered("Looking for a way out …", ask, (text, edits) => {
-      const plan = JSON.parse(text) as Plan;
-      if (plan.verdict !== "path") this.#session.store.change({ message: this.#why(plan) });
-      else this.#timeline.play(widest ? "widest way out" : "way out", text, edits, () => this.out(widest, from));
-    });
+  /** Plays a way from here, or from elsewhere, to where the part is free for good, the widest if that is wanted; or says why there is none. */
+  async out(widest: boolean, from = this.#session.state.configuration): Promise<void> {
+    const { state } = this.#session;
+    const edits = this.#edits();
+    const text = await this.#busy("Looking for a way out …", () =>
+      this.#workshop.plan(state.pair, edits, numbersOf(from), [], widest),
+    );
+    const plan = JSON.parse(text) as Plan;
+    if (plan.verdict === "path") this.#timeline.play(widest ? "widest way out" : "way out", text, edits, () => this.out(widest, from));
+    else this.#session.store.change({ message: this.#why(plan) });
   }
 
   #why({ verdict, enclosed }: Plan): string {
@@ -46,20 +47,18 @@ export class Ways {
   }
 
   /** Plays the whole mechanism, as its drives move it. */
-  mechanism(): void {
-    const ask = (edits: Edits) => this.#workshop.simulate(edits);
-    void this.#answered("Computing the motion of the mechanism …", ask, (text, edits) => this.#timeline.play("mechanism", text, edits, () => this.mechanism()));
+  async mechanism(): Promise<void> {
+    const edits = this.#edits();
+    const text = await this.#busy("Computing the motion of the mechanism …", () => this.#workshop.simulate(edits));
+    this.#timeline.play("mechanism", text, edits, () => this.mechanism());
   }
 
-  /** Asks about the model as it is edited; says what is done as long as it is, and what went wrong. */
-  async #answered(message: string, ask: (edits: Edits) => Promise<string>, take: (text: string, edits: Edits) => void): Promise<void> {
+  /** Says what is done as long as it is. */
+  async #busy<T>(message: string, work: () => Promise<T>): Promise<T> {
     const { store } = this.#session;
-    const edits = this.#edits();
     store.change({ message });
     try {
-      take(await ask(edits), edits);
-    } catch (error) {
-      store.change({ message: error instanceof Error ? error.message : String(error) });
+      return await work();
     } finally {
       if (store.state.message === message) store.change({ message: null });
     }
