@@ -6,15 +6,18 @@ import { textOf } from "./ui/dom.js";
 import { shownScene } from "./ui/entries.js";
 import { showFailure } from "./ui/message.js";
 import { openPage } from "./ui/page.js";
+import type { CspaceScript } from "./ui/script.js";
 
 const opened = async () => {
   const { scene, isOpened } = await shownScene();
   await loadKernel(textOf("kernel"));
   if (scene.format === "cspace-drawing") openDrawing(scene);
-  else openPage({ scene, isOpened }, textOf("worker"));
+  else await openPage({ scene, isOpened }, textOf("worker"));
 };
 
-opened().catch((error: unknown) => {
+// Scripts may wait from the beginning.
+const ready = opened().catch((error: unknown) => {
   showFailure(error);
   throw error;
 });
+window.cspace = { ready } as CspaceScript;

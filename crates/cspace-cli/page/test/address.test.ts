@@ -59,6 +59,21 @@ describe("addresses", () => {
     for (const key of ["theme", "stop", "colours", "cut", "height", "hidden", "camera"]) assert.ok(!writeAddress(state({}), null).includes(key));
   });
 
+  it("hold the file and what is changed of it, and are of no other", () => {
+    const source = { model: "", pairs: [], general: false, design: { text: "mouth = 6", file: HOSTILE, set: [] } };
+    const of = { ...scene, source };
+    const edits = { set: [{ name: "mouth", value: "9.5" }, { name: "é", value: "a = b" }], parts: [{ index: 1, loops: [[{ x: 0.1, y: 0, bulge: 0 }]], motion: { type: "planar" as const }, offset: 0.25 }] };
+    const text = writeAddress(state({ scene: of }), null, edits);
+    assert.deepEqual(readAddress(text, of).edits, edits);
+    assert.equal(readAddress(text, of).warning, undefined);
+    assert.equal(readAddress(writeAddress(state({ scene: of }), null), of).edits, undefined);
+    const later = { ...of, source: { ...source, design: { ...source.design, text: "mouth = 7" } } };
+    assert.deepEqual(readAddress(text, later).edits, edits);
+    assert.match(readAddress(text, later).warning ?? "", /has changed since/);
+    assert.deepEqual(Object.keys(readAddress(text, scene)), ["warning"]);
+    assert.deepEqual(readAddress("#set=&set=x&set==1&parts={}&parts=no", scene), {});
+  });
+
   it("leave out what they do not understand", () => {
     const read = readAddress("#fixed=nobody&moving=peg&x=1&y=two&theta=3&theme=pink&stop=maybe&colours=&camera=1,2&hidden=-1,x&height=high&u=Infinity&v=0", scene);
     assert.deepEqual(read, {});

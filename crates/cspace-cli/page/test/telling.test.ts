@@ -1,8 +1,10 @@
 /** What is told in words and drawn beside the views, from made-up answers of a kernel and made-up records. */
 
 import assert from "node:assert/strict";
+import { join } from "node:path";
 import { describe, it } from "node:test";
 import type { Kernel, PlanarConfiguration, PlanarKernel } from "../src/kernel/api.js";
+import { openPair } from "../src/kernel/index.js";
 import type { Scene, ScenePair, SceneRange } from "../src/scene.js";
 import { firstPair } from "../src/ui/first-pair.js";
 import { labelPlace } from "../src/ui/label-place.js";
@@ -14,6 +16,8 @@ import { stepTo } from "../src/ui/step-band.js";
 import { rimOf } from "../src/ui/surface-rim.js";
 import { details, headline } from "../src/ui/verdict.js";
 import type { Told } from "../src/ui/verdict.js";
+import { MODELS, NO_COMMAND, binary, run } from "./support/command.js";
+import { sceneOf, withModel } from "./support/scene.js";
 
 const regions = [true, false].map((unbounded) => ({ unbounded, sample: [0, 0, 0], ranges: null }));
 
@@ -80,30 +84,58 @@ describe("the lens", () => {
 });
 
 describe("a step of a band", () => {
-  // Three bands; in the second only x > 2 is free, in the third nothing of region 1 is.
-  const bands: [number, number][] = [[0, 1], [1, 2], [2, 3]];
-  const bandAt = (theta: number) => Math.min(2, Math.floor(theta));
-  const isFree = ({ x, theta }: PlanarConfiguration) => [true, x > 2, false][bandAt(theta)] ?? false;
-  const kernel = {
-    bands,
-    bandAt,
-    window: { lo: 0, hi: 3, fullTurn: false },
-    classify: (c: PlanarConfiguration) => (isFree(c) ? "free" : "blocked"),
-    region: (c: PlanarConfiguration) => (isFree(c) ? 1 : null),
-    // Upwards along x = 2, free space on its right.
-    slice: (theta: number) => (bandAt(theta) === 1 ? [{ patch: 0, region: 1, points: Float64Array.of(2, -9, 2, 9) }] : []),
-    slide: (from: PlanarConfiguration) => ({ at: from, stopped: 0 }),
-  } as unknown as PlanarKernel;
-  it("goes to the nearest free place of the region", () => {
-    const step = stepTo(kernel, { x: 0, y: 4, theta: 0.5 }, 1, 1, 10)!;
-    assert.equal(bandAt(step.at.theta), 1);
-    assert.ok(step.at.x > 2 && step.at.x < 2.01 && Math.abs(step.at.y - 4) < 0.01, JSON.stringify(step));
-    assert.equal(step.passed, 0);
-    assert.deepEqual(stepTo(kernel, { x: 5, y: 4, theta: 0.5 }, 1, 1, 10)!.at, { x: 5, y: 4, theta: 1.5 });
+  const steps = (kernel: PlanarKernel, from: PlanarConfiguration, region: number | null, by: 1 | -1) => {
+    const all: PlanarConfiguration[] = [];
+    for (let at: PlanarConfiguration | null = from; (at = stepTo(kernel, at, region, by, 50)) && all.length < 99; ) all.push(at);
+    return all;
+  };
+  it("is upwards or downwards by one band alone, without overlap, until the part turns no further", { skip: binary() === null && NO_COMMAND }, () => {
+    // From where they are drawn: a bolt that is caged, and a peg in a hole that it fits tightly.
+    withModel(run(["new", "latch"]), (latch) => {
+      for (const [model, region, least] of [[latch, 1, 2], [join(MODELS, "peg_hole.toml"), null, 1]] as const) {
+        const kernel = openPair(sceneOf(model), 0) as unknown as PlanarKernel;
+        for (const by of [1, -1] as const) {
+          const from = { x: 0, y: 0, theta: 0 };
+          const way = steps(kernel, from, region, by);
+          assert.ok(way.length >= least && way.length < 5, `${model}: ${way.length} steps`);
+          [from, ...way].reduce((a, b) => {
+            assert.ok(by * (b.theta - a.theta) > 0, JSON.stringify({ a, b }));
+            assert.equal(Math.abs(kernel.bandAt(b.theta) - kernel.bandAt(a.theta)), 1);
+            assert.notEqual(kernel.classify(b), "blocked");
+            assert.ok(Math.hypot(b.x - a.x, b.y - a.y) < 1, JSON.stringify({ a, b }));
+            return b;
+          });
+        }
+      }
+    });
   });
-  it("is none where no band has the region", () => {
-    assert.equal(stepTo(kernel, { x: 5, y: 4, theta: 1.5 }, 1, 1, 10), null);
-    assert.equal(stepTo(kernel, { x: 5, y: 4, theta: 0.5 }, 1, -1, 10), null);
+  it("goes all the way round where nothing is in the way", { skip: binary() === null && NO_COMMAND }, () => {
+    const kernel = openPair(sceneOf(join(MODELS, "ball_in_c.toml")), 0) as unknown as PlanarKernel;
+    const way = steps(kernel, { x: 0, y: 0, theta: 0 }, 1, -1);
+    assert.equal(way.length, 99);
+    assert.ok(way.every(({ theta }, i) => i === 0 || theta < way[i - 1]!.theta));
+  });
+  // Two bands; in the second only x > 2 is free.
+  const world = (isWall: boolean) => {
+    const bandAt = (theta: number) => Math.min(1, Math.floor(theta));
+    const isFree = ({ x, theta }: PlanarConfiguration) => bandAt(theta) === 0 || x > 2;
+    return {
+      bands: [[0, 1], [1, 2]],
+      bandAt,
+      window: { lo: 0, hi: 2, fullTurn: false },
+      classify: (c: PlanarConfiguration) => (isFree(c) ? "free" : "blocked"),
+      region: (c: PlanarConfiguration) => (isFree(c) ? 1 : null),
+      // Upwards along x = 2, free space on its right.
+      slice: (theta: number) => (bandAt(theta) === 1 ? [{ patch: 0, region: 1, points: Float64Array.of(2, -9, 2, 9) }] : []),
+      // A wall at x = 1 keeps what comes from the right.
+      slide: (from: PlanarConfiguration, to: PlanarConfiguration) => ({ at: !isFree(to) || (isWall && from.x > 1 && to.x < 1) ? from : to, stopped: 0 }),
+    } as unknown as PlanarKernel;
+  };
+  it("goes to the nearest free place of the region, if the part turns back from there", () => {
+    const at = stepTo(world(false), { x: 0, y: 4, theta: 0.5 }, 1, 1, 10)!;
+    assert.ok(at.theta === 1.5 && at.x > 2 && at.x < 2.01 && Math.abs(at.y - 4) < 0.01, JSON.stringify(at));
+    assert.equal(stepTo(world(true), { x: 0, y: 4, theta: 0.5 }, 1, 1, 10), null);
+    assert.deepEqual(stepTo(world(true), { x: 5, y: 4, theta: 0.5 }, 1, 1, 10), { x: 5, y: 4, theta: 1.5 });
   });
 });
 

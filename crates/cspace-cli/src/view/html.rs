@@ -20,18 +20,17 @@ impl Page {
     /// # Errors
     /// If the scene cannot be written as JSON, which plain data always can.
     pub fn file(&self, scene: &Scene) -> Result<String, serde_json::Error> {
-        let policy = self.policy(Place::File);
-        // Nothing in the policy needs escaping.
-        let policy = format!(r#"<meta http-equiv="Content-Security-Policy" content="{policy}">"#);
-        self.with(&policy, scene)
+        self.with(r#"http-equiv="Content-Security-Policy""#, scene)
     }
 
-    /// The page as the server has it, which sends the policy itself.
+    /// The page as the server has it, which sends the policy itself: that of a file is there for the file that the page saves.
     pub(crate) fn served(&self, scene: &impl Serialize) -> Result<String, serde_json::Error> {
-        self.with("", scene)
+        self.with(r#"name="policy""#, scene)
     }
 
-    fn with(&self, policy: &str, scene: &impl Serialize) -> Result<String, serde_json::Error> {
+    fn with(&self, key: &str, scene: &impl Serialize) -> Result<String, serde_json::Error> {
+        // Nothing in the policy needs escaping.
+        let policy = format!(r#"<meta {key} content="{}">"#, self.policy(Place::File));
         let scene = inline(&serde_json::to_string(scene)?);
         let [head, middle, between, tail] = &self.around;
         let (style, script) = (&self.style, &self.script);
@@ -44,7 +43,7 @@ impl Page {
         });
         Ok([
             head,
-            policy,
+            &policy,
             "<style>",
             style,
             "</style>",

@@ -20,4 +20,5 @@ export interface Actions {
   saveSvg(): void;
   savePng(): void;
   saveModel(): void;
+  savePage(): void;
 }

@@ -5,6 +5,8 @@ import type { Scene } from "../scene.js";
 import type { Colouring } from "./colours.js";
 import { isUsable } from "./numbers.js";
 import type { State, Theme } from "./state.js";
+import { UNCHANGED } from "./workshop.js";
+import type { Edits, PartEdit } from "./workshop.js";
 
 export interface Address {
   pair?: number;
@@ -18,6 +20,10 @@ export interface Address {
   height?: number | null;
   /** The camera of the 3-D view: azimuth, elevation (radians), distance in sizes of the space, and what it looks at in the same. */
   camera?: number[];
+  /** What is changed of the model; the kernel decides whether it can be. */
+  edits?: Edits;
+  /** What is wrong: the address is of another file, and nothing of it is read, or of this one as it was. */
+  warning?: string;
 }
 
 /** What is as always is not in an address. */
@@ -30,10 +36,29 @@ const FARTHEST_CAMERA = 1e3;
 /** Nearer there would be no direction to look in. */
 const NEAREST_CAMERA = 1e-6;
 
+/** The name of the model's file, or of the model; and a checksum of what its answers are computed from (FNV-1a). */
+export function identity({ source, name }: Pick<Scene, "source" | "name">): { file: string; sum: string } {
+  let sum = 0x811c9dc5;
+  for (const c of JSON.stringify(source)) sum = Math.imul(sum ^ (c.codePointAt(0) ?? 0), 0x01000193);
+  return { file: source?.design?.file ?? name, sum: (sum >>> 0).toString(16) };
+}
+
 /** Reads a fragment. What it does not understand it leaves out: addresses are typed by hand. */
 export function readAddress(fragment: string, scene: Scene): Address {
   const query = new URLSearchParams(fragment.replace(/^#/, ""));
   const address: Address = {};
+  const { file, sum } = identity(scene);
+  const of = query.get("file");
+  if (of !== null && of !== file) return { warning: `This address is of ${of}: open that file for it. Here is ${file}.` };
+  const set = query.getAll("set").flatMap((text) => {
+    const [, name, value] = /^([^=]+)=(.+)$/.exec(text) ?? [];
+    return name === undefined || value === undefined ? [] : [{ name, value }];
+  });
+  const parts = partsOf(query.get("parts"));
+  if (set.length + parts.length > 0) {
+    address.edits = { set, parts };
+    if (query.get("sum") !== sum) address.warning = `${file} has changed since this address was written: the answer may be another.`;
+  }
   const [fixed, moving] = [query.get("fixed"), query.get("moving")];
   const pair = scene.pairs.findIndex((p) => scene.parts[p.fixed]?.name === fixed && scene.parts[p.moving]?.name === moving);
   if (pair >= 0) address.pair = pair;
@@ -58,8 +83,9 @@ export function readAddress(fragment: string, scene: Scene): Address {
   return address;
 }
 
-export function writeAddress(state: Readonly<State>, camera: readonly number[] | null): string {
-  const query = new URLSearchParams();
+export function writeAddress(state: Readonly<State>, camera: readonly number[] | null, edits = UNCHANGED): string {
+  const { file, sum } = identity(state.scene);
+  const query = new URLSearchParams({ file });
   const pair = state.scene.pairs[state.pair];
   if (pair) {
     query.set("fixed", state.parts[pair.fixed]?.name ?? "");
@@ -73,7 +99,19 @@ export function writeAddress(state: Readonly<State>, camera: readonly number[] |
   if (state.height !== USUAL.height) query.set("height", String(state.height));
   if (state.hidden.size > 0) query.set("hidden", [...state.hidden].join());
   if (camera) query.set("camera", camera.map((n) => Number(n.toPrecision(4))).join());
+  for (const { name, value } of edits.set) query.append("set", `${name}=${value}`);
+  if (edits.parts.length > 0) query.set("parts", JSON.stringify(edits.parts));
+  if (edits.set.length + edits.parts.length > 0) query.set("sum", sum);
   return `#${query}`;
+}
+
+function partsOf(text: string | null): PartEdit[] {
+  try {
+    const parts: unknown = JSON.parse(text ?? "[]");
+    return Array.isArray(parts) ? (parts as PartEdit[]) : [];
+  } catch {
+    return [];
+  }
 }
 
 function number(text: string | null): number | undefined {

@@ -13,7 +13,7 @@ import { IDENTITY, apply, inverse } from "./placement.js";
 import { regionChanges } from "./region-changes.js";
 import type { Fetcher, Session } from "./session.js";
 import type { Drag, Viewport } from "./viewport.js";
-import { WorkError } from "./workshop.js";
+import { UNCHANGED, WorkError } from "./workshop.js";
 import type { EditAnswer, Edits, PartEdit, Workshop } from "./workshop.js";
 
 export interface EditReport {
@@ -46,6 +46,8 @@ export class Editor {
   #shape: Shape;
   #undo: Shape[] = [];
   #redo: Shape[] = [];
+  /** The changes that are saved, as JSON. */
+  #saved = "";
   /** Counts changes by the user. */
   #version = 0;
   readonly #fetching = new Map<number, Promise<ScenePair>>();
@@ -93,6 +95,30 @@ export class Editor {
     const { parts, set } = this.#shape;
     const edited = parts.flatMap(({ loops, motion, offset, byHand }, index): PartEdit[] => (byHand ? [{ index, loops, motion, offset }] : []));
     return { set, parts: edited };
+  }
+
+  /** Whether all changes are in a file or an address. */
+  get isSaved(): boolean {
+    return [this.#saved, JSON.stringify(UNCHANGED)].includes(JSON.stringify(this.edits));
+  }
+
+  markSaved(): void {
+    this.#saved = JSON.stringify(this.edits);
+  }
+
+  /** Takes all changes from elsewhere, as one that can be undone; fails, and changes nothing, where they are none of this model. */
+  async restore(edits: Edits): Promise<void> {
+    const index = this.#session.state.pair;
+    const answer = await this.#workshop.edit(index, edits);
+    this.#remember();
+    const parts = this.#shape.parts.map((e, i) => {
+      const edited = edits.parts.find((p) => p.index === i);
+      return { ...e, offset: 0, ...edited, byHand: edited !== undefined };
+    });
+    this.#shape = { set: edits.set, parts };
+    this.#version += 1;
+    this.#take(answer, index);
+    this.onSelect?.();
   }
 
   async #fetch(pair: number): Promise<ScenePair> {

@@ -27,11 +27,13 @@ const PREFIX = "cspace-scene ";
 
 let shown: Entry = { opened: "" };
 /** Whether another entry is about to be shown: it has an address of its own. */
-let isLeaving = false;
+let leaving = false;
+
+export const isLeaving = (): boolean => leaving;
 
 /** Writes the fragment of the address; false where the browser refuses. */
 export function writeFragment(fragment: string): boolean {
-  return isLeaving || replaced(fragment);
+  return leaving || replaced(fragment);
 }
 
 function replaced(address?: string): boolean {
@@ -54,7 +56,7 @@ export async function showScene(scene: Scene | DrawingScene): Promise<void> {
 }
 
 function load(): void {
-  isLeaving = true;
+  leaving = true;
   location.reload();
 }
 

@@ -1,30 +1,14 @@
 /** What to try first, until it is dismissed. */
 
 import { html } from "./dom.js";
+import { keeping, kept } from "./kept.js";
 import { isAxes } from "./mechanism.js";
 import type { Session } from "./session.js";
 
 const KEY = "cspace-hints-dismissed";
 
-/** A page from a file may have no storage: then hints come again, and nothing is wrong. */
-function remembered(): boolean {
-  try {
-    return localStorage.getItem(KEY) !== null;
-  } catch {
-    return false;
-  }
-}
-
-function remember(): void {
-  try {
-    localStorage.setItem(KEY, "1");
-  } catch {
-    // They come again.
-  }
-}
-
 export function showHints(parent: HTMLElement, session: Session): void {
-  if (remembered()) return;
+  if (kept(KEY) !== null) return;
   const axes = isAxes(session.state.configuration);
   const hints = [
     axes ? "Drag a part: it moves on its axis, and stops where it touches." : "Drag the blue part: it stops where it touches and slides along. The wheel turns it.",
@@ -34,7 +18,7 @@ export function showHints(parent: HTMLElement, session: Session): void {
   const close = html("button", { type: "button", class: "small" }, "Got it");
   close.addEventListener("click", () => {
     parent.hidden = true;
-    remember();
+    keeping(KEY, "1");
   });
   parent.replaceChildren(html("ul", {}, ...hints.map((hint) => html("li", {}, hint))), close);
   parent.hidden = false;

@@ -14,15 +14,16 @@ const FINE = 0.1;
 export function listenToKeys(session: Session, actions: Actions, viewports: { parts: Viewport; plane: Viewport }): void {
   document.addEventListener("keydown", (event) => {
     const target = event.target instanceof HTMLElement ? event.target : null;
-    if (target?.matches("input, select, textarea") || document.querySelector("dialog[open]")) return;
+    if (document.querySelector("dialog[open]")) return;
     const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
-    if ((event.ctrlKey || event.metaKey) && key === "z") {
+    // Text that is typed is taken back by the browser.
+    if ((event.ctrlKey || event.metaKey) && key === "z" && !target?.matches("input:not([type=range], [type=checkbox]), textarea")) {
       event.preventDefault();
       if (event.shiftKey) actions.redo();
       else actions.undo();
       return;
     }
-    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    if (event.ctrlKey || event.metaKey || event.altKey || target?.matches("input, select, textarea")) return;
     const fine = event.shiftKey ? FINE : 1;
     const step = steps(session, viewports);
     const does: Record<string, () => void> = {

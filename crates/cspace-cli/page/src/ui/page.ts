@@ -6,6 +6,7 @@ import { USUAL, readAddress, writeAddress } from "./address.js";
 import { byId, download, fileName, say } from "./dom.js";
 import { ContactHand } from "./contact-hand.js";
 import { DesignPanel } from "./design-panel.js";
+import { keepDraft } from "./draft.js";
 import { EditPanel } from "./edit-panel.js";
 import { Editor } from "./edit.js";
 import { writeFragment } from "./entries.js";
@@ -22,6 +23,7 @@ import { picture, pngFile, svgFile } from "./pictures.js";
 import type { Pane } from "./pictures.js";
 import { PlaneView } from "./plane-view.js";
 import { Readout } from "./readout.js";
+import { pageFile, savedAddress } from "./save-page.js";
 import { pageInterface } from "./script.js";
 import { isServed, servedPair } from "./server.js";
 import { Session } from "./session.js";
@@ -35,7 +37,8 @@ import { ThetaSlider } from "./theta-slider.js";
 import { Timeline } from "./timeline.js";
 import { Toolbar } from "./toolbar.js";
 import { Ways } from "./ways.js";
-import { Workshop } from "./workshop.js";
+import { UNCHANGED, Workshop } from "./workshop.js";
+import type { Edits } from "./workshop.js";
 
 /** The address is written once the state has not changed for this long (ms): browsers refuse to write it at every frame. */
 const ADDRESS_DELAY = 250;
@@ -49,9 +52,9 @@ export interface Shown {
   isOpened: boolean;
 }
 
-/** `worker` is the source text of the worker. */
-export function openPage({ scene, isOpened }: Shown, worker: string): void {
-  const address = readAddress(location.hash, scene);
+/** `worker` is the source text of the worker. Settles when the selected pair is drawn. */
+export function openPage({ scene, isOpened }: Shown, worker: string): Promise<void> {
+  const address = readAddress(location.hash || (isOpened ? "" : savedAddress()), scene);
   const workshop = scene.source ? new Workshop(worker, scene.source) : null;
   const fetcher = isServed() && !isOpened ? servedPair : workshop ? (pair: number) => workshop.pair(pair) : null;
   const session = new Session(scene, address, fetcher);
@@ -59,7 +62,7 @@ export function openPage({ scene, isOpened }: Shown, worker: string): void {
   applyTheme(store.state.theme);
   const editor = workshop && fetcher ? new Editor(session, workshop, fetcher) : null;
 
-  const edits = () => editor?.edits ?? { set: [], parts: [] };
+  const edits = () => editor?.edits ?? UNCHANGED;
   const hand = workshop ? new MechanismHand(session, workshop, edits) : null;
   const partsView = new PartsView(byId("parts"), session, editor, hand);
   let design: DesignPanel | null = null;
@@ -80,7 +83,7 @@ export function openPage({ scene, isOpened }: Shown, worker: string): void {
   new Graphs(byId("graphs"), session);
   new Readout(byId("readout"), session);
   new ThetaSlider(byId("theta"), session);
-  const timeline = new Timeline(byId("timeline"), session);
+  const timeline = new Timeline(byId("timeline"), session, edits);
   const ways = workshop ? new Ways(session, workshop, timeline, edits) : null;
   const help = makeHelp();
 
@@ -104,6 +107,7 @@ export function openPage({ scene, isOpened }: Shown, worker: string): void {
   const failed = (error: unknown) => store.change({ message: error instanceof Error ? error.message : String(error) });
   const save = (text: string) => {
     download(fileName(scene.name, "toml"), new Blob([text], { type: "application/toml" }));
+    editor?.markSaved();
     const isPlain = scene.design !== null && !/^\s*\[+(parameter|requirement)/m.test(text);
     if (isPlain) store.change({ message: "The model is saved with numbers alone: its parameters and requirements are left out, since parts were edited by hand or the file is JSON." });
   };
@@ -133,6 +137,10 @@ export function openPage({ scene, isOpened }: Shown, worker: string): void {
     saveSvg: () => download(fileName(scene.name, "svg"), svgFile(made())),
     savePng: () => void pngFile(made()).then((blob) => download(fileName(scene.name, "png"), blob), failed),
     saveModel: () => void editor?.model().then(save, failed),
+    savePage: () => {
+      download(fileName(scene.name, "html"), new Blob([pageFile(scene, addressNow())], { type: "text/html" }));
+      editor?.markSaved();
+    },
   };
   showHints(byId("hints"), session);
   new Toolbar(session, actions, (pair) => void select(pair), editor !== null);
@@ -159,7 +167,11 @@ export function openPage({ scene, isOpened }: Shown, worker: string): void {
     applyTheme(store.state.theme);
     spaceView?.applyTheme();
   });
-  keepAddress(session, spaceView);
+  const addressNow = () => writeAddress(store.state, spaceView?.camera ?? null, edits());
+  const restore = async (changes: Edits) => {
+    if (editor && JSON.stringify(changes) !== JSON.stringify(edits())) await editor.restore(changes).then(() => editor.markSaved(), failed);
+  };
+  keepAddress(session, spaceView, addressNow, restore);
 
   let ready: Promise<void> = Promise.resolve();
   const begin = (done: Promise<void>) => {
@@ -173,13 +185,20 @@ export function openPage({ scene, isOpened }: Shown, worker: string): void {
     });
     return ready;
   };
-  if (session.pair) void begin(session.select(store.state.pair, address.configuration ?? null)).then(() => {
+  const opened = async () => {
+    if (address.edits) await restore(address.edits);
+    if (editor) keepDraft(byId("side"), session, editor);
+    await session.select(store.state.pair, address.configuration ?? null);
+  };
+  if (address.warning !== undefined) store.change({ message: address.warning });
+  if (session.pair) void begin(opened()).then(() => {
       if (!address.configuration) timeline.showStart();
       partsView.fit();
       sliceView.fit();
     });
   else store.change({ space: { state: "none", reason: "The model has no pairs.", error: false } });
   window.cspace = pageInterface(session, () => ready, (pair) => begin(select(pair)));
+  return ready;
 }
 
 function openSpaceView(session: Session, camera: readonly number[] | null): SpaceView | null {
@@ -221,14 +240,14 @@ function noSpace(session: Session): string | null {
 }
 
 /** Writes the address, and follows one that is typed or gone back to. */
-function keepAddress(session: Session, spaceView: SpaceView | null): void {
+function keepAddress(session: Session, spaceView: SpaceView | null, address: () => string, restore: (edits: Edits) => Promise<void>): void {
   const { store } = session;
   let timer: ReturnType<typeof setTimeout> | null = null;
   let written = location.hash;
   const write = () => {
     timer = null;
     if (store.state.space.state === "loading" || store.state.playing) return;
-    written = writeAddress(store.state, spaceView?.camera ?? null);
+    written = address();
     if (!writeFragment(written)) written = location.hash;
   };
   const later = () => {
@@ -237,9 +256,12 @@ function keepAddress(session: Session, spaceView: SpaceView | null): void {
   };
   store.subscribe(later);
   if (spaceView) spaceView.onCamera = later;
-  window.addEventListener("hashchange", () => {
+  window.addEventListener("hashchange", async () => {
     if (location.hash === written) return;
     const to = readAddress(location.hash, session.scene);
+    if (to.warning !== undefined) store.change({ message: to.warning });
+    if (to.warning !== undefined && !to.edits) return;
+    await restore(to.edits ?? UNCHANGED);
     const { theme, stop, colouring, cut, height } = { ...USUAL, ...to };
     store.change({ theme, stop, colouring, cut, height, hidden: new Set(to.hidden ?? []) });
     if (to.camera) spaceView?.setCamera(to.camera);

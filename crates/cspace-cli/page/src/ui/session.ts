@@ -18,7 +18,7 @@ import { ServerError } from "./server.js";
 import { sliceExtent } from "./slice-extent.js";
 import { Store } from "./state.js";
 import type { State, Where } from "./state.js";
-import { neighbour, stepMessage, stepTo } from "./step-band.js";
+import { neighbour, stepTo } from "./step-band.js";
 import { regionOf } from "./verdict.js";
 import { WorkError } from "./workshop.js";
 
@@ -62,6 +62,7 @@ export class Session {
       time: 0,
       playing: false,
       speed: 1,
+      stale: false,
       editing: false,
       height: address.height ?? USUAL.height,
       measuring: false,
@@ -334,7 +335,7 @@ export class Session {
     this.aim({ ...c, theta });
   }
 
-  /** Goes to the middle of the next band, or of the previous: to a place of the same region, where contacts are to stop parts. */
+  /** Goes to the next band upwards, or downwards: as the part turns there, where contacts are to stop it. */
   stepBand(by: 1 | -1): void {
     const { pair, planar: kernel } = this;
     const { configuration: c, where } = this.state;
@@ -346,9 +347,10 @@ export class Session {
     }
     const region = regionOf({ where, kernel });
     const step = stepTo(kernel, c, region, by, sliceExtent(this.state));
-    if (step) this.setConfiguration(step.at);
-    const message = stepMessage(step, region === null ? "the moving part" : regionName(pair, region));
-    if (message !== null) this.store.change({ message });
+    if (step) this.setConfiguration(step);
+    const [way, of] = [by > 0 ? "upwards" : "downwards", region === null ? "" : ` of ${regionName(pair, region)}`];
+    const last = `From here the part turns no further ${way}: this was the last band${of}. Move it first, or switch off "Stop at contact" to look at the others.`;
+    this.store.change({ message: step ? null : last });
   }
 
   /** Everything as it is drawn. */

@@ -36,6 +36,8 @@ const POINT_RADIUS = 7;
 const HIDDEN_OPACITY = 0.3;
 
 const WAY = "#cc3399";
+/** Of a way of the model before it was changed. */
+const STALE = "#888888";
 
 export class SpaceMarks {
   readonly group = new Group();
@@ -175,7 +177,7 @@ export class SpaceMarks {
     this.#litPatches = "?";
   }
 
-  setWay(steps: readonly Configuration[], kernel: PlanarKernel, scale: SpaceScale): void {
+  setWay(steps: readonly Configuration[], isStale: boolean, kernel: PlanarKernel, scale: SpaceScale): void {
     const positions: number[] = [];
     const { lo, hi, fullTurn } = kernel.window;
     for (let i = 0; i + 1 < steps.length; i += 1) {
@@ -189,6 +191,7 @@ export class SpaceMarks {
         }
       }
     }
+    this.#wayMaterial.color.set(isStale ? STALE : WAY);
     setSegments(this.#way, positions);
   }
 }

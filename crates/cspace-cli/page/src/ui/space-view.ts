@@ -167,8 +167,8 @@ export class SpaceView {
       const aside = swing(this.#scale, c.theta);
       this.#marks.setPoint(c.x + aside.x - this.#scale.center[0], c.y + aside.y - this.#scale.center[1], z, colour);
       if (changed.has("where") || changed.has("space")) this.#marks.light(kernel, state.where.patches, this.#scale);
-      if (changed.has("record") || changed.has("space")) {
-        this.#marks.setWay(state.record?.kind === "plan" ? state.record.steps.map((s) => s.at) : [], kernel, this.#scale);
+      if (changed.has("record") || changed.has("space") || changed.has("stale")) {
+        this.#marks.setWay(state.record?.kind === "plan" ? state.record.steps.map((s) => s.at) : [], state.stale, kernel, this.#scale);
       }
     }
     if (changed.has("colouring")) this.#surface?.paint(state.colouring);

@@ -52,6 +52,8 @@ export interface State {
   time: number;
   playing: boolean;
   speed: number;
+  /** Whether the record is of the model before it was changed. */
+  stale: boolean;
   editing: boolean;
   /** The height that is looked at alone, of parts that are stacks of layers; null for all. */
   height: number | null;

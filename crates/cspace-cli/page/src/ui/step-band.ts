@@ -1,47 +1,43 @@
 /** The next band: where the moving part is put there, so that it does not overlap what it is to stop at. */
 
 import type { PlanarConfiguration, PlanarKernel } from "../kernel/api.js";
-
-export interface Step {
-  at: PlanarConfiguration;
-  /** Bands that were passed over, because the region has no place in their middles. */
-  passed: number;
-}
+import { TURN, wrap } from "./placement.js";
 
 /** A place beside a contact curve is looked for at this share of the slice's width, and at twice that until it is free. */
 const BESIDE = 1e-6;
 const DOUBLINGS = 14;
+/** A part that turns gives way to contacts so often; each time it is turned on from where it got to. */
+const YIELDS = 64;
 
 type Slicing = Pick<PlanarKernel, "bands" | "bandAt" | "window" | "classify" | "region" | "slice" | "slide">;
 
 /**
- * Where a part goes that turns to the next band: as it gets there when it turns, stopping and sliding; else to the nearest place of the
- * same region in the middle of that band, or of the first band after it in which the region is. Null if there is none.
+ * Where a part goes that turns to the next band: as it gets there when it turns and gives way; else to the nearest place of the same region
+ * in the middle of that band from which it turns back to where it was. Null if there is none: no band is passed over.
  */
-export function stepTo(kernel: Slicing, from: PlanarConfiguration, region: number | null, by: 1 | -1, width: number): Step | null {
-  const count = kernel.bands.length;
-  let band = kernel.bandAt(from.theta);
-  for (let passed = 0; passed < count; passed += 1) {
-    const next = neighbour(kernel, band, by);
-    if (next === null) return null;
-    band = next;
-    const [lo, hi] = kernel.bands[band] ?? [0, 0];
-    const to = { ...from, theta: (lo + hi) / 2 };
-    if (passed === 0) {
-      const { at } = kernel.slide(from, to);
-      if (kernel.bandAt(at.theta) === band && kernel.classify(at) !== "blocked") return { at, passed };
-    }
-    const at = placeIn(kernel, to, region, width);
-    if (at) return { at, passed };
-  }
-  return null;
+export function stepTo(kernel: Slicing, from: PlanarConfiguration, region: number | null, by: 1 | -1, width: number): PlanarConfiguration | null {
+  const here = kernel.bandAt(from.theta);
+  const next = neighbour(kernel, here, by);
+  const [lo, hi] = kernel.bands[next ?? -1] ?? [0, 0];
+  if (next === null || next === here) return null;
+  const to = { ...from, theta: from.theta + wrap((lo + hi) / 2 - from.theta, by > 0 ? 0 : -TURN) };
+  const turned = turn(kernel, from, to.theta, next);
+  if (turned) return turned;
+  const at = placeIn(kernel, to, region, width);
+  const back = at && turn(kernel, at, from.theta, here);
+  const came = back && kernel.slide(back, from).at;
+  return came && came.x === from.x && came.y === from.y && came.theta === from.theta ? at : null;
 }
 
-/** What there is to say of a step; null of one to the next band. */
-export function stepMessage(step: Step | null, region: string): string | null {
-  if (!step) return `No further band has a place of ${region}: nothing is moved. Switch off "Stop at contact" to look at them.`;
-  if (step.passed === 0) return null;
-  return `${step.passed === 1 ? "A band has" : `${step.passed} bands have`} no place of ${region} in the middle, and ${step.passed === 1 ? "is" : "are"} passed over.`;
+/** Turns a part on until it is in a band, while contacts move it aside; null if it gets stuck before. */
+function turn(kernel: Slicing, from: PlanarConfiguration, theta: number, band: number): PlanarConfiguration | null {
+  for (let at = from, k = 0; k < YIELDS; k += 1) {
+    const next = kernel.slide(at, { ...at, theta }).at;
+    if (kernel.bandAt(next.theta) === band && kernel.classify(next) !== "blocked") return next;
+    if (Math.abs(theta - next.theta) >= Math.abs(theta - at.theta)) return null;
+    at = next;
+  }
+  return null;
 }
 
 /** The next band, which goes round if the window does. */

@@ -9,10 +9,18 @@ import { RecordError } from "./record-json.js";
 import { readRecord, readRecordText } from "./records.js";
 import type { Session } from "./session.js";
 import type { Key } from "./state.js";
+import { UNCHANGED } from "./workshop.js";
+import type { Edits } from "./workshop.js";
 
 const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4] as const;
 /** So many ticks can be told apart by screen readers and pointers; more are drawn without a name. */
 const NAMED_TICKS = 400;
+
+/** Of which model a record is: its edits as JSON, and how it is computed again of another; null if it is not the page's. */
+interface Origin {
+  edits: string;
+  again: (() => Promise<void>) | null;
+}
 
 export class Timeline {
   readonly #session: Session;
@@ -22,16 +30,19 @@ export class Timeline {
   readonly #ticks: HTMLElement;
   readonly #text: HTMLElement;
   readonly #choice: HTMLSelectElement;
-  #records: PlayableRecord[] = [];
+  readonly #again = html("button", { type: "button", hidden: "" });
+  readonly #edits: () => Edits;
+  readonly #records = new Map<PlayableRecord, Origin>();
   #last = 0;
 
-  constructor(parent: HTMLElement, session: Session) {
+  constructor(parent: HTMLElement, session: Session, edits: () => Edits) {
     this.#session = session;
+    this.#edits = edits;
     this.#element = parent;
     const { store } = session;
     this.#choice = html("select", { "aria-label": "Record" });
     this.#choice.addEventListener("change", () => {
-      this.#choose(this.#records[this.#choice.selectedIndex] ?? null);
+      this.#choose([...this.#records.keys()][this.#choice.selectedIndex] ?? null);
       this.showStart();
     });
     this.#play = html("button", { type: "button", class: "play" }, "▶");
@@ -43,19 +54,28 @@ export class Timeline {
     const speed = html("select", { "aria-label": "Speed" }, ...SPEEDS.map((s) => html("option", { value: s }, `${s}×`)));
     speed.value = "1";
     speed.addEventListener("change", () => store.change({ speed: Number(speed.value) }));
+    this.#again.addEventListener("click", () => {
+      const { record } = session.state;
+      const again = record && this.#records.get(record)?.again;
+      if (!again) return;
+      this.#records.delete(record);
+      this.#choose(null);
+      again().catch((error: unknown) => store.change({ message: String(error) }));
+    });
     const close = html("button", { type: "button", "aria-label": "Close the record" }, "✕");
     close.addEventListener("click", () => this.#choose(null));
-    parent.append(this.#choice, this.#play, html("div", { class: "track" }, this.#ticks, this.#scrub), speed, this.#text, close);
+    parent.append(this.#choice, this.#play, html("div", { class: "track" }, this.#ticks, this.#scrub), speed, this.#text, this.#again, close);
     for (const { name, record } of session.scene.records) this.#keep(() => readRecord(name, record));
     store.subscribe((changed) => this.#update(changed));
-    const first = this.#records.find((record) => this.#mismatch(record) === null) ?? this.#records[0];
+    const all = [...this.#records.keys()];
+    const first = all.find((record) => this.#mismatch(record) === null) ?? all[0];
     if (first) this.#choose(first);
   }
 
   /** Places the parts as the chosen record begins. */
   showStart(): void {
     const { record, time } = this.#session.state;
-    if (record) this.#show(record, time);
+    if (record && !this.#session.state.stale) this.#show(record, time);
   }
 
   /** Reads a file that the user opens or drops. */
@@ -69,32 +89,33 @@ export class Timeline {
     });
   }
 
-  /** Plays what the page has computed itself. */
-  play(name: string, text: string): void {
-    this.#open(() => readRecordText(name, text));
-    if (this.#session.state.record?.name === name) this.#session.store.change({ playing: true });
+  /** Plays what the page has computed itself, of a model with edits. */
+  play(name: string, text: string, edits: Edits, again: Origin["again"]): void {
+    this.#open(() => readRecordText(name, text), edits, again);
+    const { record, stale } = this.#session.state;
+    if (record?.name === name) this.#session.store.change({ playing: !stale });
   }
 
   /** Takes a record that the user opens, and plays it; one that is none of this model is told and forgotten. */
-  #open(read: () => PlayableRecord): void {
+  #open(read: () => PlayableRecord, edits = this.#edits(), again: Origin["again"] = null): void {
     this.#told(() => {
       const record = read();
       const problem = this.#mismatch(record);
       if (problem) throw new RecordError(problem);
-      this.#records.push(record);
+      this.#records.set(record, { edits: JSON.stringify(edits), again });
       this.#session.store.change({ message: null });
       this.#choose(record);
       this.showStart();
     });
   }
 
-  /** Takes a record of the page. A path may be of a pair that is selected later. */
+  /** Takes a record of the page, which is of the model as in its file. A path may be of a pair that is selected later. */
   #keep(read: () => PlayableRecord): void {
     this.#told(() => {
       const record = read();
       const problem = record.kind === "simulation" ? this.#mismatch(record) : null;
       if (problem) throw new RecordError(problem);
-      this.#records.push(record);
+      this.#records.set(record, { edits: JSON.stringify(UNCHANGED), again: null });
     });
   }
 
@@ -116,6 +137,7 @@ export class Timeline {
       return;
     }
     this.#session.store.change({ record, time: 0, playing: false });
+    this.#compare();
   }
 
   /** Why a record is none of this model. */
@@ -132,8 +154,8 @@ export class Timeline {
   }
 
   toggle(): void {
-    const { record, playing, time } = this.#session.state;
-    if (!record) return;
+    const { record, playing, time, stale } = this.#session.state;
+    if (!record || stale) return;
     this.#session.store.change({ playing: !playing, time: !playing && time >= record.duration ? 0 : time });
   }
 
@@ -143,6 +165,8 @@ export class Timeline {
     // A way belongs to the pair it was planned for.
     if (changed.has("pair") && !changed.has("record") && record?.kind === "plan") this.#choose(null);
     if (changed.has("record")) this.#drawRecord(record);
+    if (changed.has("scene") || changed.has("parts")) this.#compare();
+    if (changed.has("stale") || changed.has("record")) this.#drawStale();
     if (changed.has("playing")) {
       say(this.#play, state.playing ? "❚❚" : "▶");
       set(this.#play, { "aria-label": state.playing ? "Pause" : "Play" });
@@ -151,12 +175,28 @@ export class Timeline {
         requestAnimationFrame((now) => this.#tick(now));
       }
     }
-    if (!record || !(changed.has("time") || changed.has("record"))) return;
+    if (!record || this.#session.state.stale || !(["time", "record", "stale"] as Key[]).some((k) => changed.has(k))) return;
     this.#scrub.value = String(state.time);
     const told = [...record.ticks].reverse().find((t) => t.t <= state.time);
     const [now, end] = record.kind === "plan" ? [state.time, record.duration] : [stateAt(record, state.time)?.time ?? 0, record.steps.at(-1)?.time ?? 0];
     say(this.#text, `${short(Number(now.toFixed(3)))} s of ${short(end)} s · ${told ? told.text : record.summary}`);
     if (changed.has("time")) this.#show(record, state.time);
+  }
+
+  /** A record of the model before it was changed is not played: parts go elsewhere. The same edits are the same model. */
+  #compare(): void {
+    const { record, playing } = this.#session.state;
+    const stale = record !== null && this.#records.get(record)?.edits !== JSON.stringify(this.#edits());
+    this.#session.store.change({ stale, playing: playing && !stale });
+  }
+
+  #drawStale(): void {
+    const { record, stale } = this.#session.state;
+    document.body.classList.toggle("stale", stale);
+    this.#play.disabled = this.#scrub.disabled = stale;
+    this.#again.hidden = !stale || !(record && this.#records.get(record)?.again);
+    say(this.#again, record?.kind === "plan" ? "Plan again" : "Compute again");
+    if (stale) say(this.#text, "of the model before the change");
   }
 
   #tick(now: number): void {
@@ -181,9 +221,9 @@ export class Timeline {
 
   #drawRecord(record: PlayableRecord | null): void {
     this.#element.hidden = !record;
-    this.#choice.replaceChildren(...this.#records.map((r) => html("option", {}, r.name)));
+    this.#choice.replaceChildren(...[...this.#records.keys()].map((r) => html("option", {}, r.name)));
     if (!record) return;
-    this.#choice.selectedIndex = this.#records.indexOf(record);
+    this.#choice.selectedIndex = [...this.#records.keys()].indexOf(record);
     set(this.#scrub, { max: record.duration });
     const named = record.ticks.length <= NAMED_TICKS;
     this.#ticks.replaceChildren(

@@ -31,6 +31,7 @@ export class Toolbar {
     button("Open", "Open a model (TOML) or a drawing (DXF, SVG), or play what cspace plan or cspace simulate printed", actions.openRecord);
     button("SVG", "Save a picture as SVG", actions.saveSvg);
     button("PNG", "Save a picture as PNG", actions.savePng);
+    button("Save page", "Save this page as one file, with the model as it is changed", actions.savePage);
     const theme = button("Theme", "Light, dark, or as the system", actions.toggleTheme);
     button("?", "Help (?)", actions.help).setAttribute("aria-label", "Help");
     fit.setAttribute("aria-label", "Fit");

@@ -25,14 +25,15 @@ export class Ways {
     this.#edits = edits;
   }
 
-  /** Plays a way from here to where the part is free for good, the widest if that is wanted; or says why there is none. */
-  async out(widest: boolean): Promise<void> {
+  /** Plays a way from here, or from elsewhere, to where the part is free for good, the widest if that is wanted; or says why there is none. */
+  async out(widest: boolean, from = this.#session.state.configuration): Promise<void> {
     const { state } = this.#session;
+    const edits = this.#edits();
     const text = await this.#busy("Looking for a way out …", () =>
-      this.#workshop.plan(state.pair, this.#edits(), numbersOf(state.configuration), [], widest),
+      this.#workshop.plan(state.pair, edits, numbersOf(from), [], widest),
     );
     const plan = JSON.parse(text) as Plan;
-    if (plan.verdict === "path") this.#timeline.play(widest ? "widest way out" : "way out", text);
+    if (plan.verdict === "path") this.#timeline.play(widest ? "widest way out" : "way out", text, edits, () => this.out(widest, from));
     else this.#session.store.change({ message: this.#why(plan) });
   }
 
@@ -47,8 +48,9 @@ export class Ways {
 
   /** Plays the whole mechanism, as its drives move it. */
   async mechanism(): Promise<void> {
-    const text = await this.#busy("Computing the motion of the mechanism …", () => this.#workshop.simulate(this.#edits()));
-    this.#timeline.play("mechanism", text);
+    const edits = this.#edits();
+    const text = await this.#busy("Computing the motion of the mechanism …", () => this.#workshop.simulate(edits));
+    this.#timeline.play("mechanism", text, edits, () => this.mechanism());
   }
 
   /** Says what is done as long as it is. */

@@ -18,6 +18,8 @@ export interface Edits {
   parts: readonly PartEdit[];
 }
 
+export const UNCHANGED: Edits = { set: [], parts: [] };
+
 export interface EditAnswer {
   pair: ScenePair;
   /** All parts of the model. */
