@@ -29,7 +29,7 @@ const TRIALS: [f64; 4] = [1e-6, 1e-7, 1e-8, 3e-9];
 const MOST_FARTHER: f64 = 10.0;
 /// Factor by which the duration of a trial that is too long is shortened, repeatedly down to rounding.
 const SHORTER: f64 = 0.1;
-const MOST_SHORTER: usize = 16;
+const MOST_SHORTER: i32 = 16;
 /// A contact that pulls by more than this share of the speed is not tried.
 const ROUGHLY: f64 = 1e-6;
 
@@ -322,20 +322,28 @@ fn tries<'a>(
 ) -> Option<(Flow<'a>, Vec<f64>)> {
     let flow = Flow::new(system, pairs, held, time, q)?;
     let far = scale * system.size();
-    let mut h = (far / system.speed(&flow.velocity.rates)).min(longest);
-    // A motion that begins at rest cannot be judged by its speed.
-    for _ in 0..MOST_SHORTER {
-        let to = flow.after(h);
-        let is_right = |to: &Arrived| {
-            system.moved(&flow.q, &to.q) <= MOST_FARTHER * far && to.excess(system) <= 1.0
-        };
-        if !to.as_ref().is_some_and(is_right) {
-            h *= SHORTER;
-            continue;
+    let moved = |to: &Arrived| system.moved(&flow.q, &to.q) / far;
+    let trial = |h: f64| {
+        let is_right = |to: &Arrived| moved(to) <= MOST_FARTHER && to.excess(system) <= 1.0;
+        Some((h, flow.after(h).filter(is_right)?))
+    };
+    let by_speed = far / system.speed(&flow.velocity.rates);
+    let shorter = (0..MOST_SHORTER).map(|k| SHORTER.powi(k));
+    let (h, to) = if by_speed <= longest {
+        shorter.map(|s| s * by_speed).find_map(trial)
+    } else {
+        // A motion that begins at rest cannot be judged by its speed, nor by where it comes to: it may come back.
+        let longer = shorter.rev().map(|s| trial(s * longest)).map_while(|t| t);
+        let mut last = None;
+        for (h, to) in longer {
+            let is_far = moved(&to) >= SHORTER;
+            last = Some((h, to));
+            if is_far {
+                break;
+            }
         }
-        let to = to?;
-        let leads_on = goes_on(&mut Watch::new(system, pairs), &flow, h, &to);
-        return leads_on.then_some((flow, to.q));
-    }
-    None
+        last
+    }?;
+    let leads_on = goes_on(&mut Watch::new(system, pairs), &flow, h, &to);
+    leads_on.then_some((flow, to.q))
 }

@@ -11,6 +11,7 @@ use super::events::Told;
 use super::flow::{Arrived, Flow};
 use super::locate::{add, first_event};
 use super::rest::Settling;
+use super::there::CLOSED;
 
 /// Factor by which a step that diverges is shortened.
 const DIVERGED: f64 = 0.2;
@@ -25,6 +26,8 @@ const MOST_HURRIED: usize = 50_000;
 const SHORTEST: f64 = 1e-15;
 /// Largest number of successive events without progress in time.
 const MOST_IDLE: usize = 64;
+/// A step ends no farther from where its rates lead than this share of its way.
+const STRAYS: f64 = 0.05;
 /// Smallest progress, as a share of the duration.
 const PROGRESS: f64 = 1e-12;
 /// Steps of a simulation, some minutes.
@@ -270,7 +273,7 @@ impl<'a> Run<'a> {
             let arrived = loop {
                 let arrived = flow.after(h);
                 let too_long = match &arrived {
-                    Some(to) => self.too_long(&flow, to, &reach),
+                    Some(to) => self.too_long(&flow, h, to, &reach),
                     // Where contacts lead, they come to an end there; what is free only went too far.
                     None => (!flow.velocity.determined).then_some(DIVERGED),
                 };
@@ -348,13 +351,15 @@ impl<'a> Run<'a> {
     }
 
     /// Factor by which a step is to be shortened, if it went too far or its error is too large.
-    fn too_long(&self, flow: &Flow<'_>, to: &Arrived, reach: &[f64]) -> Option<f64> {
+    fn too_long(&self, flow: &Flow<'_>, h: f64, to: &Arrived, reach: &[f64]) -> Option<f64> {
         let changes = (flow.q.iter().zip(&to.q)).zip(self.system.lengths());
         let moved = (changes.zip(reach))
             .map(|(((a, b), l), r)| ((b - a) * l).abs() / r)
             .fold(0.0, f64::max);
         let by_error = to.excess(self.system);
-        if moved > 2.0 {
+        if to.velocity.determined && strays(self.system, flow, h, to) {
+            Some(0.5)
+        } else if moved > 2.0 {
             Some((1.0 / moved).max(0.1))
         } else if by_error > 1.0 {
             Some((0.9 * by_error.powf(-0.2)).clamp(0.1, 0.9))
@@ -389,6 +394,17 @@ impl<'a> Run<'a> {
             });
         }
     }
+}
+
+/// Whether where a step comes to is not where the rates at its ends lead. Joints and contacts that leave no freedom may close at another
+/// configuration beyond times at which they do not close at all.
+fn strays(system: &System, flow: &Flow<'_>, h: f64, to: &Arrived) -> bool {
+    let rates = [&flow.velocity.rates, &to.velocity.rates];
+    let half = 0.5 * h;
+    let led = (0..flow.q.len()).map(|i| flow.q[i] + half * (rates[0][i] + rates[1][i]));
+    let led: Vec<f64> = led.collect();
+    let way = half * (system.speed(rates[0]) + system.speed(rates[1]));
+    system.moved(&led, &to.q) > STRAYS * way + CLOSED * system.size()
 }
 
 /// Coordinates and rates at a time.

@@ -537,3 +537,46 @@ fn a_welded_pendulum_moves_as_one_of_one_part() {
         near("angle", a.coordinates[0], b.coordinates[0], 1e-9);
     }
 }
+
+/// A four-bar linkage whose crank cannot turn all around: 4, 6, 3 on a frame of 5.5. It stops where coupler and rocker are in line, 9 from the
+/// crank's pivot to the rocker's end, however long the simulation is, and does not come out on the other side.
+#[test]
+fn a_crank_stops_where_the_linkage_does_not_close() {
+    for (rate, end) in [(90.0_f64, 42.164_277_6_f64), (-90.0, -67.842_790_9)] {
+        for time in [2.0, 3.0, 5.0, 8.0] {
+            let text = format!(
+                r#"
+                [[part]]
+                name = "crank"
+                motion = {{ type = "revolute", center = [0, 0] }}
+                loops = [{{ circle = 0.1, at = [0, 0] }}]
+                [[part]]
+                name = "coupler"
+                loops = [{{ circle = 0.1, at = [0, 20] }}]
+                [[part]]
+                name = "rocker"
+                motion = {{ type = "revolute", center = [5.5, 0] }}
+                loops = [{{ circle = 0.1, at = [5.5, 0] }}]
+                [[joint]]
+                type = "revolute"
+                parts = ["crank", "coupler"]
+                at = ["4*cos(100deg)", "4*sin(100deg)"]
+                [[joint]]
+                type = "revolute"
+                parts = ["coupler", "rocker"]
+                at = [2.6795073136893652, -1.0221648626656115]
+                [[drive]]
+                part = "crank"
+                rate = "{rate}deg""#
+            );
+            let simulation = Simulation::new(&read(&text)).unwrap();
+            let settings = Settings { time, every: None };
+            let record = simulation.kinematic(&settings).unwrap();
+            assert_eq!(record.status, Status::Jammed, "{time}: {:?}", record.reason);
+            let [crank, ..] = record.samples.last().unwrap().coordinates[..] else {
+                panic!("a crank")
+            };
+            near("the crank", crank.to_degrees(), end, 1e-4);
+        }
+    }
+}

@@ -560,3 +560,36 @@ fn two_pins_stand_in_a_bore() {
     // It has 0.05 of play in the bore of the shell, over some 5 of its length.
     assert!(upper.abs() < 0.02, "{upper}");
 }
+
+/// A bar goes to and fro under a roller that rubs on it: at a point of its table at which it stands for an instant, friction changes its
+/// direction, and nothing else happens.
+#[test]
+fn what_turns_round_rubs_the_other_way() {
+    let model = read(
+        r#"
+friction = 0.3
+[[part]]
+name = "bar"
+motion = { type = "prismatic", direction = [1, 0], range = [-60, 60] }
+loops = [[[-50, -10], [50, -10], [50, 0], [-50, 0]]]
+[[part]]
+name = "roller"
+motion = { type = "prismatic", direction = [0, 1], range = [-8, 20] }
+loops = [{ circle = 2, at = [0, 2] }]
+[[load]]
+part = "roller"
+force = [0, -3000]
+[[drive]]
+part = "bar"
+table = [[0, 0], [1, -20], [2, 0], [3, -20], [4, 0]]
+"#,
+    );
+    let (_, record) = run(&model, 4.0, 0.1);
+    assert_eq!(record.status, Status::Done, "{:?}", record.reason);
+    for sample in record.samples.iter().filter(|s| s.rates[0].abs() > 1.0) {
+        let [contact] = &contacts(sample)[..] else {
+            panic!("one contact at {}", sample.t)
+        };
+        near("it rubs", contact.tangential.abs(), 900.0, 1e-6);
+    }
+}
