@@ -5,6 +5,7 @@ import { html } from "./dom.js";
 import type { Editor } from "./edit.js";
 import { isLeaving } from "./entries.js";
 import { keeping, kept } from "./kept.js";
+import { failure } from "./message.js";
 import type { Session } from "./session.js";
 import { UNCHANGED } from "./workshop.js";
 import type { Edits } from "./workshop.js";
@@ -21,7 +22,7 @@ export function keepDraft(parent: HTMLElement, session: Session, editor: Editor)
       const b = html("button", { type: "button" }, text);
       b.addEventListener("click", () => {
         line.remove();
-        if (goOn !== isOpened) editor.restore(goOn ? draft : UNCHANGED).catch((error: unknown) => session.store.change({ message: String(error) }));
+        if (goOn !== isOpened) editor.restore(goOn ? draft : UNCHANGED).catch((error: unknown) => session.store.change({ message: failure(error) }));
         if (!goOn) keeping(key, null);
       });
       return b;

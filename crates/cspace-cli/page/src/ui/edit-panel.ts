@@ -48,13 +48,12 @@ export class EditPanel {
       this.#fields,
       clearance,
       this.#refused,
-      this.#meter,
-      this.#time,
       this.#said,
       html("div", { class: "buttons" }, this.#remove, this.#undo, this.#redo, save),
+      html("details", {}, html("summary", {}, "Details"), this.#meter, this.#time),
     );
     editor.listeners.push((report) => this.#report(report));
-    editor.onSelect = () => this.#draw();
+    editor.onSelect.push(() => this.#draw());
     session.store.subscribe((changed, state) => {
       if (changed.has("editing")) byId("edit").hidden = !state.editing;
       if (changed.has("pair")) {
@@ -71,7 +70,7 @@ export class EditPanel {
     else {
       const [space, all] = [seconds, roundTrip].map((s) => (s * 1000).toFixed(0));
       this.#meter.value = roundTrip * 1000;
-      say(this.#time, `${all} ms of ${BUDGET} ms (space ${space} ms)`);
+      say(this.#time, `${all} ms of ${BUDGET} ms for a picture, ${space} ms for the space`);
       say(this.#said, changes);
       if (changes) say(byId("announce"), changes);
     }

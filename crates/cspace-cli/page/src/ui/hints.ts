@@ -20,6 +20,6 @@ export function showHints(parent: HTMLElement, session: Session): void {
     parent.hidden = true;
     keeping(KEY, "1");
   });
-  parent.replaceChildren(html("ul", {}, ...hints.map((hint) => html("li", {}, hint))), close);
+  parent.replaceChildren(close, html("p", {}, hints.join(" ")));
   parent.hidden = false;
 }

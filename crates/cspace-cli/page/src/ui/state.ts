@@ -4,6 +4,7 @@ import type { Classification, Configuration, Kernel, Touch } from "../kernel/api
 import type { Scene, ScenePart } from "../scene.js";
 import type { Colouring } from "./colours.js";
 import type { Placement } from "./placement.js";
+import type { Message } from "./message.js";
 import type { PlayableRecord } from "./playable.js";
 
 export type Theme = "auto" | "light" | "dark";
@@ -67,8 +68,8 @@ export interface State {
   held: { stopped: readonly string[]; overlapping: readonly (readonly [string, string])[]; gaps: readonly string[] } | null;
   /** Whether the parts are shown elsewhere than they are drawn, where they overlap. */
   displaced: boolean;
-  /** What went wrong last, for the user. */
-  message: string | null;
+  /** What is said over the views. */
+  message: Message | null;
 }
 
 export type Key = keyof State;

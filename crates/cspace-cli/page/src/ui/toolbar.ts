@@ -9,10 +9,11 @@ export class Toolbar {
   constructor(session: Session, actions: Actions, select: (pair: number) => void, canEdit: boolean) {
     const name = session.scene.name || "cspace";
     say(byId("model-name"), name);
+    byId("model-name").title = name;
     document.title = `${name} – cspace`;
     const choice = byId<HTMLSelectElement>("pair");
     const of = (i: number) => session.scene.parts[i]?.name ?? "?";
-    choice.append(...session.scene.pairs.map((p, i) => html("option", { value: i }, `${of(p.fixed)} | ${of(p.moving)} (${p.class})`)));
+    choice.append(...session.scene.pairs.map((p, i) => html("option", { value: i }, `${of(p.fixed)} | ${of(p.moving)}${p.class === "lower" ? " (joined)" : ""}`)));
     choice.addEventListener("change", () => select(choice.selectedIndex));
 
     const tools = byId("tools");
@@ -56,9 +57,6 @@ export class Toolbar {
         const pair = session.pair;
         out.hidden = pair?.class === "fixed-axes" || pair?.class === "lower";
         cut.hidden = pair?.class === "fixed-axes" || pair?.class === "lower";
-        const { fixed = 0, moving = 0 } = pair?.features ?? {};
-        const known = state.space.state === "ready" && session.kernel ? `, ${session.kernel.patchCount} patches` : "";
-        say(byId("pair-class"), pair ? `${fixed} + ${moving} features${known}` : "");
       }
     });
   }

@@ -107,8 +107,8 @@ describe("the page that tells", { skip }, () => {
     writeFileSync(record, run(["simulate", model("geneva"), "--time", "0.3", "--every", "0.01", "--json"]));
     const size = { width: 390, height: 844, isMobile: true, hasTouch: true };
     for (const [name, more, panes] of [
-      ["ball_in_c", [], ["#parts", "#space", "#slice", "#verdict", ".theta-slider", "#tools"]],
-      ["geneva", ["--with", record], ["#parts", "#plane", "#verdict", "#timeline .track input", "#tools"]],
+      ["ball_in_c", [], ["#parts", "#space", "#slice", "#verdict .headline", ".theta-slider", "#tools"]],
+      ["geneva", ["--with", record], ["#parts", "#plane", "#verdict .headline", "#timeline .track input", "#tools"]],
     ] as const) {
       suite.opened = await load(suite.browser, addressOf(exported(model(name), suite.folder, [...more])), size);
       const { page } = suite.opened;
