@@ -1,7 +1,7 @@
 /** The page of a drawing: faces light up under the pointer, clicked ones become parts, and the model is saved or opened. */
 
 import { Drawing } from "../../build/kernel/cspace.js";
-import { byId, download, fileName, html, say, set, svg } from "../ui/dom.js";
+import { button, byId, download, fileName, html, say, set, svg } from "../ui/dom.js";
 import { writeFragment } from "../ui/entries.js";
 import { chooseFile, listenToDrops, showFile, showModel } from "../ui/files.js";
 import { answer, failure, messageDrawn, note, showMessage } from "../ui/message.js";
@@ -123,22 +123,21 @@ export function openDrawing(scene: DrawingScene): void {
   };
   const taken = (file: File) => void openFile(file).catch(failed);
   listenToDrops(taken);
-  const button = (text: string, title: string, action: () => unknown) => {
-    const b = html("button", { type: "button", title }, text);
-    b.addEventListener("click", () => void Promise.resolve().then(action).then(() => undefined, failed));
+  const tool = (text: string, title: string, action: () => unknown) => {
+    const b = button(text, () => void Promise.resolve().then(action).then(() => undefined, failed), { title });
     byId("tools").append(b);
     return b;
   };
-  button("Fit", "Show everything", () => viewport.fit(boxOf(scene.curves)));
-  const add: HTMLButtonElement = button("Add faces", "Clicks add faces to the selected part, or take them out again, as with Shift", () => {
+  tool("Fit", "Show everything", () => viewport.fit(boxOf(scene.curves)));
+  const add: HTMLButtonElement = tool("Add faces", "Clicks add faces to the selected part, or take them out again, as with Shift", () => {
     adding = !adding;
     set(add, { "aria-pressed": String(adding) });
   });
   set(add, { "aria-pressed": "false" });
-  const clear = button("Clear", "Take all parts back", () => change(NOTHING));
-  const saving = button("Save model", "Save the parts as a model (TOML)", save);
-  const opening = button("Open", "Show two parts or more, and their configuration spaces", open);
-  button("Open file", "Open another drawing (DXF, SVG) or a model (TOML)", () => chooseFile(".dxf,.svg,.toml", taken));
+  const clear = tool("Clear", "Take all parts back", () => change(NOTHING));
+  const saving = tool("Save model", "Save the parts as a model (TOML)", save);
+  const opening = tool("Open", "Show two parts or more, and their configuration spaces", open);
+  tool("Open file", "Open another drawing (DXF, SVG) or a model (TOML)", () => chooseFile(".dxf,.svg,.toml", taken));
 
   function change(to: Picks): void {
     picks = to;
@@ -188,8 +187,7 @@ export function openDrawing(scene: DrawingScene): void {
       for (const [i, path] of paths.entries()) path.classList.toggle("selected", partOf(picks, i) === index);
       [...byId("picked-parts").children].forEach((li, i) => li.classList.toggle("selected", i === index));
     });
-    const remove = html("button", { type: "button", class: "small", title: "Take this part back", "aria-label": `Take ${part.name} back` }, "✕");
-    remove.addEventListener("click", () => change(removed(picks, index)));
+    const remove = button("✕", () => change(removed(picks, index)), { class: "small", title: "Take this part back", "aria-label": `Take ${part.name} back` });
     const swatch = html("span", { class: "swatch", style: `background: ${regionColour(index)}` });
     const what = html("span", { class: "faint" }, `${faces(part.faces.length)}, ${area(part.faces)}`);
     return html("li", { class: index === picks.selected ? "selected" : "" }, swatch, name, remove, what);

@@ -2,7 +2,7 @@
 
 import type { SceneParameter, SceneSetting } from "../scene.js";
 import type { Actions } from "./actions.js";
-import { byId, html, say, set } from "./dom.js";
+import { button, byId, html, say, set } from "./dom.js";
 import type { Editor } from "./edit.js";
 import { LARGEST_NUMBER, degrees, isUsable, rounded, short } from "./numbers.js";
 import { Requirements } from "./requirements.js";
@@ -42,11 +42,6 @@ export class DesignPanel {
     const element = byId("design");
     element.hidden = !design;
     const head = html("h2", {}, "Parameters");
-    const button = (text: string, action: () => void) => {
-      const b = html("button", { type: "button" }, text);
-      b.addEventListener("click", action);
-      return b;
-    };
     const undo = button("Undo", actions.undo);
     const redo = button("Redo", actions.redo);
     const buttons = html("div", { class: "buttons" }, undo, redo, button("Save model", actions.saveModel));

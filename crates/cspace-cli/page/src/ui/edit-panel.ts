@@ -1,7 +1,7 @@
 /** In the side panel while parts are edited: the selected handle's numbers, clearance, the budget, undo and save. */
 
 import type { Actions } from "./actions.js";
-import { byId, html, say, set } from "./dom.js";
+import { button, byId, html, say, set } from "./dom.js";
 import type { EditReport, Editor } from "./edit.js";
 import { LARGEST_NUMBER, isUsable } from "./numbers.js";
 import type { Session } from "./session.js";
@@ -18,18 +18,16 @@ export class EditPanel {
   readonly #time = html("p", {}, "nothing computed yet");
   readonly #said = html("p", { class: "said" });
   readonly #refused = html("p", { class: "bad", role: "alert", hidden: "" });
-  readonly #remove = html("button", { type: "button", title: "Remove the selected vertex (Delete, or Alt-click on it)" }, "Remove vertex");
-  readonly #undo = html("button", { type: "button" }, "Undo");
-  readonly #redo = html("button", { type: "button" }, "Redo");
+  readonly #remove: HTMLButtonElement;
+  readonly #undo: HTMLButtonElement;
+  readonly #redo: HTMLButtonElement;
 
   constructor(session: Session, editor: Editor, actions: Actions) {
     this.#session = session;
     this.#editor = editor;
-    const save = html("button", { type: "button" }, "Save model");
-    save.addEventListener("click", actions.saveModel);
-    this.#undo.addEventListener("click", actions.undo);
-    this.#redo.addEventListener("click", actions.redo);
-    this.#remove.addEventListener("click", actions.removeVertex);
+    this.#remove = button("Remove vertex", actions.removeVertex, { title: "Remove the selected vertex (Delete, or Alt-click on it)" });
+    this.#undo = button("Undo", actions.undo);
+    this.#redo = button("Redo", actions.redo);
     this.#offset.addEventListener("change", () => {
       const value = typedNumber(this.#offset.value);
       const moving = session.pair?.moving;
@@ -49,7 +47,7 @@ export class EditPanel {
       clearance,
       this.#refused,
       this.#said,
-      html("div", { class: "buttons" }, this.#remove, this.#undo, this.#redo, save),
+      html("div", { class: "buttons" }, this.#remove, this.#undo, this.#redo, button("Save model", actions.saveModel)),
       html("details", {}, html("summary", {}, "Details"), this.#meter, this.#time),
     );
     editor.listeners.push((report) => this.#report(report));

@@ -1,6 +1,6 @@
 /** What the page says over its views: notes, answers, progress and errors. */
 
-import { byId, html, say, set } from "./dom.js";
+import { button, byId, html, say, set } from "./dom.js";
 import type { Store } from "./state.js";
 import { WorkError } from "./workshop.js";
 
@@ -33,12 +33,8 @@ export function showMessage(message: Message | null, close: () => void): void {
   if (message === null) return;
   const { kind, text, cancel } = message;
   set(element, { class: kind, role: kind === "error" ? "alert" : "status" });
-  const button = (label: string, does: () => void) => {
-    const b = html("button", { type: "button", class: "small", "aria-label": label }, label === "Cancel" ? label : "✕");
-    b.addEventListener("click", does);
-    return b;
-  };
-  const end = cancel ? [button("Cancel", cancel)] : kind === "progress" ? [] : [button("Close the message", close)];
+  const closing = () => button("✕", close, { class: "small", "aria-label": "Close the message" });
+  const end = cancel ? [button("Cancel", cancel, { class: "small" })] : kind === "progress" ? [] : [closing()];
   element.replaceChildren(...(kind === "progress" ? [html("progress", { "aria-label": text })] : []), html("span", {}, text), ...end);
   if (kind === "note") fading = setTimeout(close, NOTE + PER_CHARACTER * text.length);
 }

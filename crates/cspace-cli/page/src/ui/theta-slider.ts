@@ -1,6 +1,6 @@
 /** The orientation: a slider whose ticks are the critical orientations, with the current band marked. */
 
-import { html, say, set } from "./dom.js";
+import { button, html, say, set } from "./dom.js";
 import { isPlanar } from "./mechanism.js";
 import { lowerPair } from "./lower.js";
 import { degrees, length, within } from "./numbers.js";
@@ -27,12 +27,8 @@ export class ThetaSlider {
     this.#slider = html("div", { class: "theta-slider", role: "slider", tabindex: 0, "aria-label": "Orientation" }, this.#canvas);
     this.#text = html("output", { class: "band-text" });
     this.#name = html("span", { class: "theta-name" }, "θ");
-    const button = (text: string, label: string, by: 1 | -1) => {
-      const b = html("button", { type: "button", "aria-label": label, title: label }, text);
-      b.addEventListener("click", () => session.stepBand(by));
-      return b;
-    };
-    this.#bands = [button("◀", "Previous band (Page Down)", -1), button("▶", "Next band (Page Up)", 1)];
+    const step = (text: string, label: string, by: 1 | -1) => button(text, () => session.stepBand(by), { "aria-label": label, title: label });
+    this.#bands = [step("◀", "Previous band (Page Down)", -1), step("▶", "Next band (Page Up)", 1)];
     parent.append(this.#name, ...this.#bands.slice(0, 1), this.#slider, ...this.#bands.slice(1), this.#text);
     this.#listen();
     new ResizeObserver(() => this.#draw()).observe(this.#slider);

@@ -1,6 +1,6 @@
 /** Planned ways, assemblies that come apart and simulations are played here. */
 
-import { html, say, set } from "./dom.js";
+import { button, html, say, set } from "./dom.js";
 import { isAxes } from "./mechanism.js";
 import { failure } from "./message.js";
 import { short } from "./numbers.js";
@@ -46,8 +46,7 @@ export class Timeline {
       this.#choose([...this.#records.keys()][this.#choice.selectedIndex] ?? null);
       this.showStart();
     });
-    this.#play = html("button", { type: "button", class: "play" }, "▶");
-    this.#play.addEventListener("click", () => this.toggle());
+    this.#play = button("▶", () => this.toggle(), { class: "play" });
     this.#scrub = html("input", { type: "range", min: 0, max: 1, step: "any", value: 0, "aria-label": "Time" });
     this.#scrub.addEventListener("input", () => store.change({ time: Number(this.#scrub.value), playing: false }));
     this.#ticks = html("div", { class: "ticks" });
@@ -63,8 +62,7 @@ export class Timeline {
       this.#choose(null);
       again().catch((error: unknown) => store.change({ message: failure(error) }));
     });
-    const close = html("button", { type: "button", "aria-label": "Close the record" }, "✕");
-    close.addEventListener("click", () => this.#choose(null));
+    const close = button("✕", () => this.#choose(null), { "aria-label": "Close the record" });
     parent.append(this.#choice, this.#play, html("div", { class: "track" }, this.#ticks, this.#scrub), speed, this.#text, this.#again, close);
     for (const { name, record } of session.scene.records) this.#keep(() => readRecord(name, record));
     store.subscribe((changed) => this.#update(changed));

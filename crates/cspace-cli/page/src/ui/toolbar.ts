@@ -1,7 +1,7 @@
 /** The bar at the top: which model and pair, switches and files. */
 
 import type { Actions } from "./actions.js";
-import { byId, html, say, set } from "./dom.js";
+import { button, byId, html, say, set } from "./dom.js";
 import type { Session } from "./session.js";
 import type { Key } from "./state.js";
 
@@ -17,31 +17,30 @@ export class Toolbar {
     choice.addEventListener("change", () => select(choice.selectedIndex));
 
     const tools = byId("tools");
-    const button = (text: string, label: string, action: (event: MouseEvent) => void, parent = tools) => {
-      const b = html("button", { type: "button", title: label }, text);
-      b.addEventListener("click", action);
+    const tool = (text: string, label: string, action: (event: MouseEvent) => void, parent = tools) => {
+      const b = button(text, action, { title: label });
       parent.append(b);
       return b;
     };
-    const stop = button("Stop at contact", "The moving part stops and slides where it touches (s)", actions.toggleStop);
-    const colours = button("Kinds", "Colour patches by the kind of contact", actions.toggleColouring);
-    const cut = button("Cut", "Cut the surface away above the current orientation (c)", actions.toggleCut);
-    const fit = button("Fit", "Show everything (f)", actions.fit);
-    const measure = button("Measure", "Click two corners or edges of parts: their distance is shown, and follows them (m)", actions.toggleMeasure);
-    const edit = canEdit ? button("Edit", "Drag vertices, arcs and pivots", actions.toggleEdit) : null;
-    button("Open", "Open a model (TOML) or a drawing (DXF, SVG), or play what cspace plan or cspace simulate printed", actions.openRecord);
-    button("SVG", "Save a picture as SVG", actions.saveSvg);
-    button("PNG", "Save a picture as PNG", actions.savePng);
-    button("Save page", "Save this page as one file, with the model as it is changed", actions.savePage);
-    const theme = button("Theme", "Light, dark, or as the system", actions.toggleTheme);
-    button("?", "Help (?)", actions.help).setAttribute("aria-label", "Help");
+    const stop = tool("Stop at contact", "The moving part stops and slides where it touches (s)", actions.toggleStop);
+    const colours = tool("Kinds", "Colour patches by the kind of contact", actions.toggleColouring);
+    const cut = tool("Cut", "Cut the surface away above the current orientation (c)", actions.toggleCut);
+    const fit = tool("Fit", "Show everything (f)", actions.fit);
+    const measure = tool("Measure", "Click two corners or edges of parts: their distance is shown, and follows them (m)", actions.toggleMeasure);
+    const edit = canEdit ? tool("Edit", "Drag vertices, arcs and pivots", actions.toggleEdit) : null;
+    tool("Open", "Open a model (TOML) or a drawing (DXF, SVG), or play what cspace plan or cspace simulate printed", actions.openRecord);
+    tool("SVG", "Save a picture as SVG", actions.saveSvg);
+    tool("PNG", "Save a picture as PNG", actions.savePng);
+    tool("Save page", "Save this page as one file, with the model as it is changed", actions.savePage);
+    const theme = tool("Theme", "Light, dark, or as the system", actions.toggleTheme);
+    tool("?", "Help (?)", actions.help).setAttribute("aria-label", "Help");
     fit.setAttribute("aria-label", "Fit");
     // What the worker computes.
     const ways = byId("ways");
     ways.hidden = !canEdit;
-    const out = button("Way out", "Plan a way from here to where the moving part is free, and play it; with Shift the widest", (event) => actions.wayOut(event.shiftKey), ways);
-    button("Play mechanism", "Play the whole mechanism, as its drives move it", actions.playMechanism, ways);
-    const whole = button("Push all parts", "What is dragged pushes all parts of the mechanism, and not the selected pair alone", actions.toggleWhole, ways);
+    const out = tool("Way out", "Plan a way from here to where the moving part is free, and play it; with Shift the widest", (event) => actions.wayOut(event.shiftKey), ways);
+    tool("Play mechanism", "Play the whole mechanism, as its drives move it", actions.playMechanism, ways);
+    const whole = tool("Push all parts", "What is dragged pushes all parts of the mechanism, and not the selected pair alone", actions.toggleWhole, ways);
 
     session.store.subscribe((changed, state) => {
       if (changed.has("pair")) choice.selectedIndex = state.pair;

@@ -28,6 +28,7 @@ export class VerdictView {
     this.#element = parent;
     parent.append(html("div", { class: "pinned" }, this.#headline, this.#held), this.#details);
     session.store.subscribe((changed) => {
+      if (changed.has("pair")) this.#element.style.minHeight = "";
       if (changed.has("held")) this.#sayHeld();
       if ((["where", "space", "pair", "parts", "displaced", "whole"] as Key[]).some((k) => changed.has(k))) this.#draw();
     });
@@ -50,7 +51,7 @@ export class VerdictView {
     const lines = overlapping.map(([a, b]) => `${a} and ${b} overlap: drag them apart.`);
     if (stopped.length > 0) lines.push(`Stopped: ${stopped.slice(0, LISTED).join("; ")}${stopped.length > LISTED ? ` and ${stopped.length - LISTED} more` : ""}.`);
     lines.push(...gaps.map((gap) => `${gap}.`));
-    this.#held.replaceChildren(...lines.map((line) => html("p", {}, line)));
+    this.#show(this.#held, lines);
   }
 
   #told(): Told | null {
@@ -65,6 +66,12 @@ export class VerdictView {
     const { kernel, state } = this.#session;
     const free = state.where.classification === "free" || state.where.classification === "contact";
     const lines = told && kernel ? details(told, free ? playOf(kernel, state.configuration) : []) : [];
-    this.#details.replaceChildren(...lines.map((line) => html("p", {}, line)));
+    this.#show(this.#details, lines);
+  }
+
+  /** What took room once keeps it: what is below stays in its place. */
+  #show(element: HTMLElement, lines: readonly string[]): void {
+    element.replaceChildren(...lines.map((line) => html("p", {}, line)));
+    this.#element.style.minHeight = `${this.#element.offsetHeight}px`;
   }
 }
