@@ -1,4 +1,4 @@
-/** In the side panel while parts are edited: the selected handle's numbers, clearance, the budget, undo and save. */
+/** In the side panel while parts are edited: the selected handle's numbers, clearance, and the budget. */
 
 import type { Actions } from "./actions.js";
 import { button, byId, html, say, set } from "./dom.js";
@@ -19,15 +19,11 @@ export class EditPanel {
   readonly #said = html("p", { class: "said" });
   readonly #refused = html("p", { class: "bad", role: "alert", hidden: "" });
   readonly #remove: HTMLButtonElement;
-  readonly #undo: HTMLButtonElement;
-  readonly #redo: HTMLButtonElement;
 
   constructor(session: Session, editor: Editor, actions: Actions) {
     this.#session = session;
     this.#editor = editor;
     this.#remove = button("Remove vertex", actions.removeVertex, { title: "Remove the selected vertex (Delete, or Alt-click on it)" });
-    this.#undo = button("Undo", actions.undo);
-    this.#redo = button("Redo", actions.redo);
     this.#offset.addEventListener("change", () => {
       const value = typedNumber(this.#offset.value);
       const moving = session.pair?.moving;
@@ -47,7 +43,7 @@ export class EditPanel {
       clearance,
       this.#refused,
       this.#said,
-      html("div", { class: "buttons" }, this.#remove, this.#undo, this.#redo, button("Save model", actions.saveModel)),
+      html("div", { class: "buttons" }, this.#remove),
       html("details", {}, html("summary", {}, "Details"), this.#meter, this.#time),
     );
     editor.listeners.push((report) => this.#report(report));
@@ -82,8 +78,6 @@ export class EditPanel {
 
   #draw(): void {
     this.#remove.disabled = this.#editor.selected?.kind !== "vertex";
-    this.#undo.disabled = !this.#editor.canUndo;
-    this.#redo.disabled = !this.#editor.canRedo;
     const moving = this.#session.pair?.moving ?? -1;
     if (document.activeElement !== this.#offset && this.#refused.hidden) this.#offset.value = String(-this.#editor.offsetOf(moving) || 0);
     // A number that is being typed stays.

@@ -145,12 +145,12 @@ export function openPage({ scene, isOpened }: Shown, worker: string): Promise<vo
     },
   };
   showHints(byId("hints"), session);
-  new Toolbar(session, actions, (pair) => void select(pair), editor !== null);
+  new Toolbar(session, actions, (pair) => void select(pair), editor);
   if (editor && scene.source) {
     const { source } = scene;
     // Requirements are measured apart from what the hand waits for.
     let checks: Workshop | null = null;
-    design = new DesignPanel(session, editor, actions, () => (checks ??= new Workshop(worker, source)));
+    design = new DesignPanel(session, editor, () => (checks ??= new Workshop(worker, source)));
     new EditPanel(session, editor, actions);
   }
   listenToKeys(session, actions, { parts: partsView.viewport, plane: planeView.viewport });

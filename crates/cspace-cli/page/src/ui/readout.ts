@@ -40,7 +40,7 @@ export class Readout {
     this.#region = entry("region", "short");
     this.#nearest = entry("nearest", "tall", "number");
     this.#touching = entry("touching", "", "touching-list");
-    parent.append(html("details", {}, html("summary", {}, "Details"), this.#pairClass, this.#details));
+    parent.append(html("details", { id: "details" }, html("summary", {}, "Details"), this.#pairClass, this.#details));
     this.#class.setAttribute("aria-live", "polite");
     session.store.subscribe((changed) => {
       if ((["where", "configuration", "space", "scene", "outdated"] as Key[]).some((k) => changed.has(k))) this.#draw();

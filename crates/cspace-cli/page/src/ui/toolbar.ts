@@ -2,11 +2,12 @@
 
 import type { Actions } from "./actions.js";
 import { button, byId, html, say, set } from "./dom.js";
+import type { Editor } from "./edit.js";
 import type { Session } from "./session.js";
 import type { Key } from "./state.js";
 
 export class Toolbar {
-  constructor(session: Session, actions: Actions, select: (pair: number) => void, canEdit: boolean) {
+  constructor(session: Session, actions: Actions, select: (pair: number) => void, editor: Editor | null) {
     const name = session.scene.name || "cspace";
     say(byId("model-name"), name);
     byId("model-name").title = name;
@@ -23,11 +24,11 @@ export class Toolbar {
       return b;
     };
     const stop = tool("Stop at contact", "The moving part stops and slides where it touches (s)", actions.toggleStop);
-    const colours = tool("Kinds", "Colour patches by the kind of contact", actions.toggleColouring);
+    const colours = tool("Kinds", "Colour patches by the kind of contact", actions.toggleColouring, byId("details"));
     const cut = tool("Cut", "Cut the surface away above the current orientation (c)", actions.toggleCut);
     const fit = tool("Fit", "Show everything (f)", actions.fit);
     const measure = tool("Measure", "Click two corners or edges of parts: their distance is shown, and follows them (m)", actions.toggleMeasure);
-    const edit = canEdit ? tool("Edit", "Drag vertices, arcs and pivots", actions.toggleEdit) : null;
+    const edit = editor ? tool("Edit", "Drag vertices, arcs and pivots", actions.toggleEdit) : null;
     tool("Open", "Open a model (TOML) or a drawing (DXF, SVG), or play what cspace plan or cspace simulate printed", actions.openRecord);
     tool("SVG", "Save a picture as SVG", actions.saveSvg);
     tool("PNG", "Save a picture as PNG", actions.savePng);
@@ -37,12 +38,21 @@ export class Toolbar {
     fit.setAttribute("aria-label", "Fit");
     // What the worker computes.
     const ways = byId("ways");
-    ways.hidden = !canEdit;
+    ways.hidden = !editor;
+    const changes = byId("changes");
+    changes.hidden = !editor;
+    const undo = tool("Undo", "Take the last change back (Ctrl-Z)", actions.undo, changes);
+    const redo = tool("Redo", "Make it again (Ctrl-Shift-Z)", actions.redo, changes);
+    tool("Save model", "Save the model as it is changed (TOML)", actions.saveModel, changes);
     const out = tool("Way out", "Plan a way from here to where the moving part is free, and play it; with Shift the widest", (event) => actions.wayOut(event.shiftKey), ways);
     tool("Play mechanism", "Play the whole mechanism, as its drives move it", actions.playMechanism, ways);
     const whole = tool("Push all parts", "What is dragged pushes all parts of the mechanism, and not the selected pair alone", actions.toggleWhole, ways);
 
     session.store.subscribe((changed, state) => {
+      if (changed.has("scene") || changed.has("parts")) {
+        undo.disabled = !editor?.canUndo;
+        redo.disabled = !editor?.canRedo;
+      }
       if (changed.has("pair")) choice.selectedIndex = state.pair;
       const pressed = (b: HTMLElement | null, on: boolean) => b && set(b, { "aria-pressed": String(on) });
       pressed(stop, state.stop);

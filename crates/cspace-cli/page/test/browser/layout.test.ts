@@ -49,7 +49,7 @@ describe("the page at every size", { skip: skip || long }, () => {
       assert.deepEqual(await covered(page, all), [], `${size.width}`);
       await page.$$eval("#tools button", (buttons) => (buttons.find((b) => b.textContent === "Edit") as HTMLElement).click());
       await settled(page);
-      assert.equal(await page.$$eval("#edit .buttons button", (e) => e.length), 4);
+      assert.equal(await page.$$eval("#edit .buttons button, #changes button", (e) => e.length), 4);
       assert.deepEqual(await covered(page, all), [], `${size.width}, edited`);
       await page.$eval("#side", (e) => e.scrollTo(0, e.scrollHeight));
       assert.deepEqual(await covered(page, headline), [], `${size.width}, verdict`);
@@ -173,5 +173,7 @@ describe("the page at every size", { skip: skip || long }, () => {
     await page.mouse.click(box.x + box.width / 2, box.y + box.height / 2);
     await settled(page);
     assert.equal((await page.$$("#parts .handle.chosen")).length, 1);
+    // A pointer leaves no frame round what it was used on.
+    assert.equal(await page.$eval("#parts svg.viewport", (e) => (document.activeElement === e ? getComputedStyle(e).outlineStyle : "no focus")), "none");
   });
 });
