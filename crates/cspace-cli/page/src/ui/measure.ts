@@ -120,7 +120,7 @@ function placedEdge(part: ScenePart, loop: number, index: number, at: Placement)
 }
 
 /** The middle of an edge: an arc is as far beside its chord as its bulge says, in halves of the chord. */
-function middle({ from, to, bulge }: Edge): Place {
+export function middle({ from, to, bulge }: Edge): Place {
   return { x: (from.x + to.x + bulge * (to.y - from.y)) / 2, y: (from.y + to.y - bulge * (to.x - from.x)) / 2 };
 }
 
