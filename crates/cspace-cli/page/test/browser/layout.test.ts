@@ -38,6 +38,7 @@ describe("the page at every size", { skip: skip || long }, () => {
           if (getComputedStyle(p).overflowX === "hidden") p.scrollLeft = 0;
         }
         const r = e.getBoundingClientRect();
+        if (r.width * r.height === 0) return [];
         const over = document.elementFromPoint(r.x + r.width / 2, r.y + r.height / 2);
         return e.contains(over) ? [] : [`${e.tagName} ${e.textContent} ${e.id} under ${over?.tagName} ${over?.id}`];
       }),
