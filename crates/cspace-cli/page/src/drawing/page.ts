@@ -5,7 +5,7 @@ import { button, byId, download, fileName, html, say, set, svg } from "../ui/dom
 import { writeFragment } from "../ui/entries.js";
 import { chooseFile, listenToDrops, showFile, showModel } from "../ui/files.js";
 import { answer, failure, messageDrawn, note, showMessage } from "../ui/message.js";
-import type { Message } from "../ui/message.js";
+import type { Message } from "../ui/state.js";
 import { length, short } from "../ui/numbers.js";
 import { boxOf, curvePath, outlinePath } from "../ui/outline.js";
 import { regionColour } from "../ui/colours.js";

@@ -1,16 +1,8 @@
 /** What the page says over its views: notes, answers, progress and errors. */
 
 import { button, byId, html, say, set } from "./dom.js";
-import type { Store } from "./state.js";
+import type { Message, Store } from "./state.js";
 import { WorkError } from "./workshop.js";
-
-export interface Message {
-  /** A note fades; an answer and an error stay until they are closed, and progress until it is over. */
-  kind: "note" | "answer" | "progress" | "error";
-  text: string;
-  /** Ends what is under way. */
-  cancel?: () => void;
-}
 
 export const note = (text: string): Message => ({ kind: "note", text });
 export const answer = (text: string): Message => ({ kind: "answer", text });

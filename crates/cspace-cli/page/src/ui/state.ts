@@ -4,7 +4,6 @@ import type { Classification, Configuration, Kernel, Touch } from "../kernel/api
 import type { Scene, ScenePart } from "../scene.js";
 import type { Colouring } from "./colours.js";
 import type { Placement } from "./placement.js";
-import type { Message } from "./message.js";
 import type { PlayableRecord } from "./playable.js";
 
 export type Theme = "auto" | "light" | "dark";
@@ -25,6 +24,15 @@ export interface Where {
   nearest: Touch | null;
   /** Patches in contact. */
   patches: number[];
+}
+
+/** What is said over the views. */
+export interface Message {
+  /** A note fades; an answer and an error stay until they are closed, and progress until it is over. */
+  kind: "note" | "answer" | "progress" | "error";
+  text: string;
+  /** Ends what is under way. */
+  cancel?: () => void;
 }
 
 export interface State {
@@ -68,7 +76,6 @@ export interface State {
   held: { stopped: readonly string[]; overlapping: readonly (readonly [string, string])[]; gaps: readonly string[] } | null;
   /** Whether the parts are shown elsewhere than they are drawn, where they overlap. */
   displaced: boolean;
-  /** What is said over the views. */
   message: Message | null;
 }
 
