@@ -164,7 +164,7 @@ impl Pair {
         plain(&all)
     }
 
-    /// What people call a feature that `touching` calls so: its name in the model, or where on the part it is, such as `bottom side`.
+    /// Words for a feature that `touching` calls so: its name in the model, or where on the part it is, such as `bottom side`.
     pub fn words(&self, feature: &str, is_moving: bool) -> String {
         let part = if is_moving {
             self.space.moving()
