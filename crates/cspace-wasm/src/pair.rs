@@ -5,6 +5,7 @@ use cspace::{
     Axis, AxisMotion, Classification, ContactSpace, Coordinates, FeatureKind, FixedAxesSpace,
     Location, LowerPair, NearFeatures, PairClass, PairSpace, PatchId, QueryError, RegionId,
 };
+use cspace_api::place_on_part;
 use cspace_plan::slide::{Slid, Slider};
 use serde::{Deserialize, Serialize};
 use wasm_bindgen::prelude::*;
@@ -161,6 +162,20 @@ impl Pair {
         let near = self.near(at, within.unwrap_or(self.space.resolution()));
         let all: Vec<Touch> = near.iter().map(|n| self.touch(at, n)).collect();
         plain(&all)
+    }
+
+    /// Words for a feature that `touching` calls so: its name in the model, or where on the part it is, such as `bottom side`.
+    pub fn words(&self, feature: &str, is_moving: bool) -> String {
+        let part = if is_moving {
+            self.space.moving()
+        } else {
+            self.space.fixed()
+        };
+        let unnamed = part
+            .feature_called(feature)
+            .filter(|f| f.to_string() == feature);
+        let place = unnamed.and_then(|f| place_on_part(part, f));
+        place.unwrap_or_else(|| feature.to_owned())
     }
 
     /// The first that it lists, however far they are apart; nothing outside the window or the ranges of motion.

@@ -4,6 +4,7 @@ import assert from "node:assert/strict";
 import { describe, it } from "node:test";
 import type { Place } from "../src/scene.js";
 import { distanceOf } from "../src/ui/distance.js";
+import { middle } from "../src/ui/measure.js";
 import { random } from "./support/random.js";
 
 interface Edge {
@@ -35,6 +36,16 @@ function byPoints(a: Edge, b: Edge): { least: number; step: number } {
   const step = Math.max(...[p, q].map((all) => Math.hypot(all[1]!.x - all[0]!.x, all[1]!.y - all[0]!.y)));
   return { least, step };
 }
+
+describe("the label of an edge", () => {
+  it("stands in the middle of the edge, which of an arc is on it", () => {
+    for (const bulge of [0, 1, -0.5, 3]) {
+      const edge = { from: { x: 1, y: 2 }, to: { x: 4, y: -2 }, bulge };
+      const [at, on] = [middle(edge), along(edge, 0.5)];
+      assert.ok(Math.hypot(at.x - on.x, at.y - on.y) < 1e-12, `${bulge}: ${JSON.stringify({ at, on })}`);
+    }
+  });
+});
 
 describe("distances", () => {
   it("are the least of all pairs of points", () => {

@@ -27,7 +27,7 @@ describe("grid lines", () => {
         const lines = gridLines(at, at + width, step);
         const texts = lines.map((l) => lineText(l.value, step));
         assert.equal(new Set(texts).size, lines.length, `${at}, ${width}: ${texts}`);
-        lines.forEach((l, i) => assert.ok(Math.abs(Number(texts[i]) - l.value) <= 1e-3 * step, `${texts[i]} for ${l.value}`));
+        lines.forEach((l, i) => assert.ok(Math.abs(Number(texts[i]!.replaceAll("−", "-")) - l.value) <= 1e-3 * step, `${texts[i]} for ${l.value}`));
       }
     }
     assert.equal(lineText(1000000.5, 0.5), "1000000.5");

@@ -14,7 +14,7 @@ import { readRecord } from "../src/ui/records.js";
 import { regionName, regionNames } from "../src/ui/region-names.js";
 import { stepTo } from "../src/ui/step-band.js";
 import { rimOf } from "../src/ui/surface-rim.js";
-import { details, headline } from "../src/ui/verdict.js";
+import { details, headline, standing } from "../src/ui/verdict.js";
 import type { Told } from "../src/ui/verdict.js";
 import { MODELS, NO_COMMAND, binary, run } from "./support/command.js";
 import { sceneOf, withModel } from "./support/scene.js";
@@ -23,7 +23,7 @@ const regions = [true, false].map((unbounded) => ({ unbounded, sample: [0, 0, 0]
 
 function told(classification: Told["where"]["classification"], region: number | null, patches: number[] = []): Told {
   const kernel = { patch: () => ({ region: 1 }) } as unknown as Kernel;
-  return { pair: { class: "general", regions, resolution: 1e-9 }, kernel, where: { classification, fits: false, region, touching: [], nearest: null, patches }, fixed: "lock", moving: "bolt", axes: null, others: false, displaced: false, unit: "mm" };
+  return { pair: { class: "general", regions, resolution: 1e-9 }, kernel, where: { classification, fits: false, region, touching: [], nearest: null, patches }, fixed: "lock", moving: "bolt", axes: null, others: false, whole: false, displaced: false, unit: "mm" };
 }
 
 describe("regions", () => {
@@ -41,8 +41,11 @@ describe("the verdict", () => {
     assert.equal(headline(told("free", 0)), "bolt is not caged: it can leave.");
     assert.equal(headline(told("contact", null, [3])), "bolt touches lock, caged in pocket 1: it cannot leave.");
     const blocked = told("blocked", null);
+    const fits = { ...blocked, where: { ...blocked.where, fits: true } };
     assert.match(headline(blocked), /overlap/);
-    assert.equal(headline({ ...blocked, where: { ...blocked.where, fits: true } }), "bolt fits lock exactly: they touch, and have no room to move.");
+    assert.equal(headline(fits), "bolt fits lock exactly: they touch, and have no room to move.");
+    const all = [told("free", 1), told("contact", null, [3]), told("free", 0), blocked, fits, told(null, null)];
+    assert.deepEqual(all.map(standing), ["caged", "caged", "leaves", "overlap", "caged", null]);
   });
   it("says where parts on axes can go", () => {
     const on = (u: SceneRange, v: SceneRange): Told => ({

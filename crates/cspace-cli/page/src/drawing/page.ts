@@ -1,10 +1,11 @@
 /** The page of a drawing: faces light up under the pointer, clicked ones become parts, and the model is saved or opened. */
 
 import { Drawing } from "../../build/kernel/cspace.js";
-import { byId, download, fileName, html, say, set, svg } from "../ui/dom.js";
+import { button, byId, download, fileName, html, say, set, svg } from "../ui/dom.js";
 import { writeFragment } from "../ui/entries.js";
 import { chooseFile, listenToDrops, showFile, showModel } from "../ui/files.js";
-import { messageDrawn, showMessage } from "../ui/message.js";
+import { answer, failure, messageDrawn, note, showMessage } from "../ui/message.js";
+import type { Message } from "../ui/state.js";
 import { length, short } from "../ui/numbers.js";
 import { boxOf, curvePath, outlinePath } from "../ui/outline.js";
 import { regionColour } from "../ui/colours.js";
@@ -41,8 +42,9 @@ export function openDrawing(scene: DrawingScene): void {
   const faces = (n: number) => `${n} ${n === 1 ? "face" : "faces"}`;
   say(byId("face-count"), scene.count > listed ? `the largest ${listed} of ${scene.count} faces` : faces(listed));
 
-  const tell = (message: string | null) => showMessage(message, () => tell(null));
-  const failed = (error: unknown) => tell(error instanceof Error ? error.message : String(error));
+  const tell = (message: Message | null) => showMessage(message, () => tell(null));
+  const working = (text: string) => tell({ kind: "progress", text });
+  const failed = (error: unknown) => tell(failure(error));
 
   // The drawing.
   let down: { face: number; x: number; y: number } | null = null;
@@ -61,7 +63,7 @@ export function openDrawing(scene: DrawingScene): void {
     const to = withShift || adding ? joined(picks, face) : clicked(picks, face);
     const refusal = scene.faces[face]?.refusal;
     const isAlone = to.parts.some((p) => p.faces.length === 1 && p.faces[0] === face);
-    if (refusal && isAlone && partOf(picks, face) < 0) tell(`This face alone is no part (${refusal}). Add it to another part.`);
+    if (refusal && isAlone && partOf(picks, face) < 0) tell(note(`This face alone is no part (${refusal}). Add it to another part.`));
     else change(to);
   };
   viewport.svg.addEventListener("pointerup", (event) => {
@@ -108,7 +110,7 @@ export function openDrawing(scene: DrawingScene): void {
   const made = async () => {
     const wrong = wrongName(picks);
     if (wrong !== null) throw new Error(wrong);
-    tell("The model is made …");
+    working("The model is made …");
     await messageDrawn();
     const text = model();
     tell(null);
@@ -117,26 +119,25 @@ export function openDrawing(scene: DrawingScene): void {
   const save = async () => download(fileName(name, "toml"), new Blob([await made()], { type: "application/toml" }));
   const open = async () => showModel(await made(), fileName(name, "toml"));
   const openFile = async (file: File) => {
-    if (!(await showFile(file, tell))) throw new Error(`${file.name} is neither a model (.toml) nor a drawing (.dxf, .svg)`);
+    if (!(await showFile(file, working))) throw new Error(`${file.name} is neither a model (.toml) nor a drawing (.dxf, .svg)`);
   };
   const taken = (file: File) => void openFile(file).catch(failed);
   listenToDrops(taken);
-  const button = (text: string, title: string, action: () => unknown) => {
-    const b = html("button", { type: "button", title }, text);
-    b.addEventListener("click", () => void Promise.resolve().then(action).then(() => undefined, failed));
+  const tool = (text: string, title: string, action: () => unknown) => {
+    const b = button(text, () => void Promise.resolve().then(action).then(() => undefined, failed), { title });
     byId("tools").append(b);
     return b;
   };
-  button("Fit", "Show everything", () => viewport.fit(boxOf(scene.curves)));
-  const add: HTMLButtonElement = button("Add faces", "Clicks add faces to the selected part, or take them out again, as with Shift", () => {
+  tool("Fit", "Show everything", () => viewport.fit(boxOf(scene.curves)));
+  const add: HTMLButtonElement = tool("Add faces", "Clicks add faces to the selected part, or take them out again, as with Shift", () => {
     adding = !adding;
     set(add, { "aria-pressed": String(adding) });
   });
   set(add, { "aria-pressed": "false" });
-  const clear = button("Clear", "Take all parts back", () => change(NOTHING));
-  const saving = button("Save model", "Save the parts as a model (TOML)", save);
-  const opening = button("Open", "Show two parts or more, and their configuration spaces", open);
-  button("Open file", "Open another drawing (DXF, SVG) or a model (TOML)", () => chooseFile(".dxf,.svg,.toml", taken));
+  const clear = tool("Clear", "Take all parts back", () => change(NOTHING));
+  const saving = tool("Save model", "Save the parts as a model (TOML)", save);
+  const opening = tool("Open", "Show two parts or more, and their configuration spaces", open);
+  tool("Open file", "Open another drawing (DXF, SVG) or a model (TOML)", () => chooseFile(".dxf,.svg,.toml", taken));
 
   function change(to: Picks): void {
     picks = to;
@@ -186,8 +187,7 @@ export function openDrawing(scene: DrawingScene): void {
       for (const [i, path] of paths.entries()) path.classList.toggle("selected", partOf(picks, i) === index);
       [...byId("picked-parts").children].forEach((li, i) => li.classList.toggle("selected", i === index));
     });
-    const remove = html("button", { type: "button", class: "small", title: "Take this part back", "aria-label": `Take ${part.name} back` }, "✕");
-    remove.addEventListener("click", () => change(removed(picks, index)));
+    const remove = button("✕", () => change(removed(picks, index)), { class: "small", title: "Take this part back", "aria-label": `Take ${part.name} back` });
     const swatch = html("span", { class: "swatch", style: `background: ${regionColour(index)}` });
     const what = html("span", { class: "faint" }, `${faces(part.faces.length)}, ${area(part.faces)}`);
     return html("li", { class: index === picks.selected ? "selected" : "" }, swatch, name, remove, what);
@@ -200,7 +200,7 @@ export function openDrawing(scene: DrawingScene): void {
   readAddress();
   // An address that is typed; the page's own does not come here.
   window.addEventListener("hashchange", readAddress);
-  if (listed === 0) tell(`Nothing that is drawn encloses a face (what is drawn is within ${length(extent(scene), unit)}): check the layers, and whether something lies far away.`);
+  if (listed === 0) tell(answer(`Nothing that is drawn encloses a face (what is drawn is within ${length(extent(scene), unit)}): check the layers, and whether something lies far away.`));
 }
 
 function extent(scene: DrawingScene): number {

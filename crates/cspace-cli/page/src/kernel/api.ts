@@ -41,6 +41,8 @@ export interface Kernel<C extends Configuration = Configuration> {
   touching(c: C, within?: number): Touch[];
   /** The first that it lists, however far they are apart; null outside the window or the ranges of motion. */
   nearest(c: C): Touch | null;
+  /** What people call a feature that is listed by a name: its name in the model, or where on the part it is, such as `bottom side`. */
+  words(feature: string, isMoving: boolean): string;
   /** Patches within the resolution: at a critical orientation those of both of its sides. */
   patchesTouching(c: C): number[];
 

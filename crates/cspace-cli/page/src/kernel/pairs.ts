@@ -44,6 +44,10 @@ abstract class Any<C extends Configuration> implements Kernel<C> {
     return this.pair.nearest(this.numbers(c));
   }
 
+  words(feature: string, isMoving: boolean): string {
+    return this.pair.words(feature, isMoving);
+  }
+
   patchesTouching(c: C): number[] {
     return [...this.pair.patchesTouching(this.numbers(c))];
   }

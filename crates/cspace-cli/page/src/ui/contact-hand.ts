@@ -4,9 +4,9 @@ import type { AxesKernel, Configuration, DrawnCurve, PlanarKernel } from "../ker
 import type { Place } from "../scene.js";
 import type { Editor } from "./edit.js";
 import { numbersOf } from "./legs.js";
+import { failure, note } from "./message.js";
 import type { Session } from "./session.js";
 import type { Drag, Viewport } from "./viewport.js";
-import { WorkError } from "./workshop.js";
 import type { ContactDrag, Workshop } from "./workshop.js";
 
 /** How near to a curve it is grabbed (pixels). */
@@ -63,9 +63,9 @@ export class ContactHand {
           this.editor.setParameters(set, isFirst);
           ({ version } = this.editor);
           isFirst = false;
-        } else store.change({ message: `The contact cannot be put there: ${none}.` });
+        } else store.change({ message: note(`The contact cannot be put there: ${none}.`) });
       } catch (error) {
-        if (!(error instanceof WorkError && error.cancelled)) store.change({ message: error instanceof Error ? error.message : String(error) });
+        store.change({ message: failure(error) });
       }
       isAsking = false;
       const again = next;

@@ -1,7 +1,6 @@
 /** The parameters of the model as sliders, and its requirements as they are met, each with a strip over a parameter. */
 
 import type { SceneParameter, SceneSetting } from "../scene.js";
-import type { Actions } from "./actions.js";
 import { byId, html, say, set } from "./dom.js";
 import type { Editor } from "./edit.js";
 import { LARGEST_NUMBER, degrees, isUsable, rounded, short } from "./numbers.js";
@@ -33,7 +32,7 @@ export class DesignPanel {
   #held: HTMLInputElement | null = null;
 
   /** `checks` computes requirements, apart from what the hand waits for. */
-  constructor(session: Session, editor: Editor, actions: Pick<Actions, "undo" | "redo" | "saveModel">, checks: () => Workshop) {
+  constructor(session: Session, editor: Editor, checks: () => Workshop) {
     this.#session = session;
     this.#editor = editor;
     const design = session.scene.design;
@@ -42,23 +41,11 @@ export class DesignPanel {
     const element = byId("design");
     element.hidden = !design;
     const head = html("h2", {}, "Parameters");
-    const button = (text: string, action: () => void) => {
-      const b = html("button", { type: "button" }, text);
-      b.addEventListener("click", action);
-      return b;
-    };
-    const undo = button("Undo", actions.undo);
-    const redo = button("Redo", actions.redo);
-    const buttons = html("div", { class: "buttons" }, undo, redo, button("Save model", actions.saveModel));
-    if (parameters.length > 0) element.append(head, ...this.#rows.map((row) => this.#draw(row)), this.#following, this.#said, buttons);
+    if (parameters.length > 0) element.append(head, ...this.#rows.map((row) => this.#draw(row)), this.#following, this.#said);
     this.#requirements = design && design.requirements.length > 0 ? new Requirements(element, session, editor, checks) : null;
     editor.listeners.push(({ error, changes }) => this.#say(error ?? changes, error !== null));
     session.store.subscribe((changed) => {
-      if (changed.has("scene") || changed.has("parts")) {
-        this.#follow();
-        undo.disabled = !editor.canUndo;
-        redo.disabled = !editor.canRedo;
-      }
+      if (changed.has("scene") || changed.has("parts")) this.#follow();
       if (changed.has("editing")) element.classList.toggle("editing", session.state.editing);
     });
   }

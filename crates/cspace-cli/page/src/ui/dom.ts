@@ -22,6 +22,12 @@ export function html<K extends keyof HTMLElementTagNameMap>(
   return element;
 }
 
+export function button(text: string, does: (event: MouseEvent) => void, attributes: Attributes = {}): HTMLButtonElement {
+  const element = html("button", { type: "button", ...attributes }, text);
+  element.addEventListener("click", does);
+  return element;
+}
+
 export function svg<K extends keyof SVGElementTagNameMap>(name: K, attributes: Attributes = {}, ...children: (Node | string)[]): SVGElementTagNameMap[K] {
   const element = document.createElementNS(SVG, name);
   set(element, attributes);

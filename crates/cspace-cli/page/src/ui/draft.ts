@@ -1,10 +1,11 @@
 /** The draft: changes of the model that its file has not. It outlasts the page. */
 
 import { identity } from "./address.js";
-import { html } from "./dom.js";
+import { button, html } from "./dom.js";
 import type { Editor } from "./edit.js";
 import { isLeaving } from "./entries.js";
 import { keeping, kept } from "./kept.js";
+import { failure } from "./message.js";
 import type { Session } from "./session.js";
 import { UNCHANGED } from "./workshop.js";
 import type { Edits } from "./workshop.js";
@@ -17,18 +18,15 @@ export function keepDraft(parent: HTMLElement, session: Session, editor: Editor)
   const draft = isOpened ? editor.edits : (JSON.parse(kept(key) ?? "null") as Edits | null);
   const line = html("div", { id: "draft", role: "status" });
   if (draft) {
-    const button = (text: string, goOn: boolean) => {
-      const b = html("button", { type: "button" }, text);
-      b.addEventListener("click", () => {
+    const choice = (text: string, goOn: boolean) =>
+      button(text, () => {
         line.remove();
-        if (goOn !== isOpened) editor.restore(goOn ? draft : UNCHANGED).catch((error: unknown) => session.store.change({ message: String(error) }));
+        if (goOn !== isOpened) editor.restore(goOn ? draft : UNCHANGED).catch((error: unknown) => session.store.change({ message: failure(error) }));
         if (!goOn) keeping(key, null);
       });
-      return b;
-    };
     const shapes = draft.parts.map((p) => `shape of ${session.scene.parts[p.index]?.name ?? "?"}`);
     const told = [...draft.set.map((s) => `${s.name} = ${s.value}`), ...shapes].join(", ");
-    line.append(html("p", {}, `Changes that are not in the file: ${told}.`), html("div", { class: "buttons" }, button("Go on with your changes", true), button("As in the file", false)));
+    line.append(html("p", {}, `Changes that are not in the file: ${told}.`), html("div", { class: "buttons" }, choice("Go on with your changes", true), choice("As in the file", false)));
     parent.prepend(line);
   }
   session.store.subscribe(() => {

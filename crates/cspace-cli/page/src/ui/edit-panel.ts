@@ -1,7 +1,7 @@
-/** In the side panel while parts are edited: the selected handle's numbers, clearance, the budget, undo and save. */
+/** In the side panel while parts are edited: the selected handle's numbers, clearance, and the budget. */
 
 import type { Actions } from "./actions.js";
-import { byId, html, say, set } from "./dom.js";
+import { button, byId, html, say, set } from "./dom.js";
 import type { EditReport, Editor } from "./edit.js";
 import { LARGEST_NUMBER, isUsable } from "./numbers.js";
 import type { Session } from "./session.js";
@@ -18,18 +18,12 @@ export class EditPanel {
   readonly #time = html("p", {}, "nothing computed yet");
   readonly #said = html("p", { class: "said" });
   readonly #refused = html("p", { class: "bad", role: "alert", hidden: "" });
-  readonly #remove = html("button", { type: "button", title: "Remove the selected vertex (Delete, or Alt-click on it)" }, "Remove vertex");
-  readonly #undo = html("button", { type: "button" }, "Undo");
-  readonly #redo = html("button", { type: "button" }, "Redo");
+  readonly #remove: HTMLButtonElement;
 
   constructor(session: Session, editor: Editor, actions: Actions) {
     this.#session = session;
     this.#editor = editor;
-    const save = html("button", { type: "button" }, "Save model");
-    save.addEventListener("click", actions.saveModel);
-    this.#undo.addEventListener("click", actions.undo);
-    this.#redo.addEventListener("click", actions.redo);
-    this.#remove.addEventListener("click", actions.removeVertex);
+    this.#remove = button("Remove vertex", actions.removeVertex, { title: "Remove the selected vertex (Delete, or Alt-click on it)" });
     this.#offset.addEventListener("change", () => {
       const value = typedNumber(this.#offset.value);
       const moving = session.pair?.moving;
@@ -48,13 +42,12 @@ export class EditPanel {
       this.#fields,
       clearance,
       this.#refused,
-      this.#meter,
-      this.#time,
       this.#said,
-      html("div", { class: "buttons" }, this.#remove, this.#undo, this.#redo, save),
+      html("div", { class: "buttons" }, this.#remove),
+      html("details", {}, html("summary", {}, "Details"), this.#meter, this.#time),
     );
     editor.listeners.push((report) => this.#report(report));
-    editor.onSelect = () => this.#draw();
+    editor.onSelect.push(() => this.#draw());
     session.store.subscribe((changed, state) => {
       if (changed.has("editing")) byId("edit").hidden = !state.editing;
       if (changed.has("pair")) {
@@ -71,7 +64,7 @@ export class EditPanel {
     else {
       const [space, all] = [seconds, roundTrip].map((s) => (s * 1000).toFixed(0));
       this.#meter.value = roundTrip * 1000;
-      say(this.#time, `${all} ms of ${BUDGET} ms (space ${space} ms)`);
+      say(this.#time, `${all} ms of ${BUDGET} ms for a picture, ${space} ms for the space`);
       say(this.#said, changes);
       if (changes) say(byId("announce"), changes);
     }
@@ -85,8 +78,6 @@ export class EditPanel {
 
   #draw(): void {
     this.#remove.disabled = this.#editor.selected?.kind !== "vertex";
-    this.#undo.disabled = !this.#editor.canUndo;
-    this.#redo.disabled = !this.#editor.canRedo;
     const moving = this.#session.pair?.moving ?? -1;
     if (document.activeElement !== this.#offset && this.#refused.hidden) this.#offset.value = String(-this.#editor.offsetOf(moving) || 0);
     // A number that is being typed stays.

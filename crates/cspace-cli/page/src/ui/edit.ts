@@ -37,7 +37,7 @@ const PATIENCE = 1000;
 export class Editor {
   /** Those who are told of each answer. */
   readonly listeners: ((report: EditReport) => void)[] = [];
-  onSelect: (() => void) | null = null;
+  readonly onSelect: (() => void)[] = [];
   selected: Handle | null = null;
   readonly #session: Session;
   readonly #workshop: Workshop;
@@ -118,7 +118,7 @@ export class Editor {
     this.#shape = { set: edits.set, parts };
     this.#version += 1;
     this.#take(answer, index);
-    this.onSelect?.();
+    this.#select(this.selected);
   }
 
   async #fetch(pair: number): Promise<ScenePair> {
@@ -179,7 +179,7 @@ export class Editor {
     });
     this.#session.store.change({ parts });
     this.#send();
-    this.onSelect?.();
+    this.#select(this.selected);
   }
 
   #send(): void {
@@ -260,11 +260,15 @@ export class Editor {
     return this.#handles.drawn(viewport, this.selected);
   }
 
+  #select(handle: Handle | null): void {
+    this.selected = handle;
+    for (const told of this.onSelect) told();
+  }
+
   /** With Alt a vertex is removed. */
   grab(at: Place, viewport: Viewport, alt: boolean): Drag | null {
     const handle = this.#handles.nearest(at, viewport);
-    this.selected = handle;
-    this.onSelect?.();
+    this.#select(handle);
     if (!handle) return null;
     if (alt && this.removeSelected()) return { move: () => {} };
     const { store } = this.#session;

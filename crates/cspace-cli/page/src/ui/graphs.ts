@@ -1,7 +1,7 @@
 /** Coordinates over time, beside the playing of a record: a strip for each, with a cursor where it is played. */
 
 import { html, say, set, svg } from "./dom.js";
-import { degrees, length, rounded } from "./numbers.js";
+import { degrees, length, within } from "./numbers.js";
 import { graphOf, seriesOf, valueAt } from "./record-series.js";
 import type { Series } from "./record-series.js";
 import type { Session } from "./session.js";
@@ -59,8 +59,8 @@ export class Graphs {
     return html("div", { class: "strip" }, html("div", { class: "strip-head" }, html("b", {}, series.name), value, ends), plot);
   }
 
-  #text({ kind }: Series, value: number): string {
-    return kind === "angle" ? degrees(value, 4) : length(rounded(value, 4), this.#session.scene.unit);
+  #text({ kind, lo, hi }: Series, value: number): string {
+    return kind === "angle" ? degrees(value, 4, hi - lo) : length(within(value, hi - lo, 4), this.#session.scene.unit);
   }
 
   #follow(): void {

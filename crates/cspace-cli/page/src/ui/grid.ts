@@ -1,6 +1,6 @@
 /** Where the lines of a grid are, what is written at them, and how far a plane may be zoomed. */
 
-import { short } from "./numbers.js";
+import { minus, short } from "./numbers.js";
 
 /** A grid or an axis has no more lines than this, whatever is asked. */
 const MOST_LINES = 1000;
@@ -27,7 +27,7 @@ export function lineText(value: number, step: number): string {
   if (digits <= USUAL_DIGITS) return short(value);
   const decimals = Math.max(0, -place(step));
   const plain = decimals <= LONGEST_NUMBER ? value.toFixed(decimals) : "";
-  return plain !== "" && plain.length <= LONGEST_NUMBER ? plain : value.toExponential(Math.min(digits, 16) - 1);
+  return minus(plain !== "" && plain.length <= LONGEST_NUMBER ? plain : value.toExponential(Math.min(digits, 16) - 1));
 }
 
 /** A pixel is at least this share of what was shown whole. */

@@ -1,6 +1,6 @@
 /** What keys and pointers do, in a dialog. */
 
-import { byId, html } from "./dom.js";
+import { button, byId, html } from "./dom.js";
 
 const KEYS: [string[], string][] = [
   [["←", "→", "↑", "↓"], "move the part, or u and v (with Shift ten times finer)"],
@@ -29,8 +29,7 @@ const POINTER: [string, string][] = [
 
 export function makeHelp(): { show(): void } {
   const dialog = byId<HTMLDialogElement>("help");
-  const close = html("button", { type: "button" }, "Close");
-  close.addEventListener("click", () => dialog.close());
+  const close = button("Close", () => dialog.close());
   const keys = KEYS.map(([names, text]) =>
     html("tr", {}, html("td", {}, ...names.flatMap((n, i) => [i > 0 ? " " : "", html("kbd", {}, n)])), html("td", {}, text)),
   );

@@ -1,6 +1,6 @@
 /** What to try first, until it is dismissed. */
 
-import { html } from "./dom.js";
+import { button, html } from "./dom.js";
 import { keeping, kept } from "./kept.js";
 import { isAxes } from "./mechanism.js";
 import type { Session } from "./session.js";
@@ -15,11 +15,10 @@ export function showHints(parent: HTMLElement, session: Session): void {
     axes ? "The point on the right is the same motion: both coordinates of the parts, where grey is overlap." : "The point on the right is the same place: in the slice grey is overlap, and its border is contact.",
     axes ? "Arrow keys move the point." : "Page Up and Page Down go from band to band of orientations between which contacts change.",
   ];
-  const close = html("button", { type: "button", class: "small" }, "Got it");
-  close.addEventListener("click", () => {
+  const close = () => {
     parent.hidden = true;
     keeping(KEY, "1");
-  });
-  parent.replaceChildren(html("ul", {}, ...hints.map((hint) => html("li", {}, hint))), close);
+  };
+  parent.replaceChildren(button("Got it", close, { class: "small" }), html("p", {}, hints.join(" ")));
   parent.hidden = false;
 }

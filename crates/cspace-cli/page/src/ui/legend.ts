@@ -2,7 +2,7 @@
 
 import type { Configuration, PatchKind } from "../kernel/api.js";
 import { KINDS, KIND_NAMES, TOUCHING, regionColour } from "./colours.js";
-import { html } from "./dom.js";
+import { button, html } from "./dom.js";
 import { regionName } from "./region-names.js";
 import type { Session } from "./session.js";
 import type { Key } from "./state.js";
@@ -54,14 +54,13 @@ export class Legend {
       store.change({ hidden });
     });
     const label = html("label", { for: id }, ...(byKind ? [] : [swatch(regionColour(index))]), name);
-    const go = html("button", { type: "button", class: "small", title: "Go to a configuration in it", "aria-label": `Go to ${name}` }, "→");
-    go.addEventListener("click", () => this.#session.setConfiguration(configurationOf(sample)));
-    const fit = html("button", { type: "button", class: "small", title: "Show all of it, as large as the views allow", "aria-label": `Fit to ${name}` }, "Fit");
-    fit.addEventListener("click", () => {
+    const go = button("→", () => this.#session.setConfiguration(configurationOf(sample)), { class: "small", title: "Go to a configuration in it", "aria-label": `Go to ${name}` });
+    const show = () => {
       if (regionOf({ where: this.#session.state.where, kernel: this.#session.kernel }) !== index) go.click();
       store.flush();
       this.#fit(index);
-    });
+    };
+    const fit = button("Fit", show, { class: "small", title: "Show all of it, as large as the views allow", "aria-label": `Fit to ${name}` });
     return html("li", {}, box, label, go, fit);
   }
 }

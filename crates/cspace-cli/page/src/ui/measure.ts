@@ -93,7 +93,7 @@ export class Measure {
       const [p, q] = [this.#viewport.toScreen(from), this.#viewport.toScreen(to)];
       shown.push(svg("path", { class: "dimension", d: `M${p.x} ${p.y}L${q.x} ${q.y}` }), label({ x: (p.x + q.x) / 2, y: (p.y + q.y) / 2 }, this.#text(gap)));
     } else if (a?.text) {
-      const at = "edge" in a.of ? nearestOn(a.of.edge, middle(a.of.edge)).at : a.of.point;
+      const at = "edge" in a.of ? middle(a.of.edge) : a.of.point;
       shown.push(label(this.#viewport.toScreen(at), a.text));
     }
     this.group.replaceChildren(...shown);
@@ -119,8 +119,9 @@ function placedEdge(part: ScenePart, loop: number, index: number, at: Placement)
   return edge && { from: apply(at, edge.from), to: apply(at, edge.to), bulge: edge.bulge };
 }
 
-function middle({ from, to }: Edge): Place {
-  return { x: (from.x + to.x) / 2, y: (from.y + to.y) / 2 };
+/** The middle of an edge: an arc is as far beside its chord as its bulge says, in halves of the chord. */
+export function middle({ from, to, bulge }: Edge): Place {
+  return { x: (from.x + to.x + bulge * (to.y - from.y)) / 2, y: (from.y + to.y - bulge * (to.x - from.x)) / 2 };
 }
 
 function label({ x, y }: Place, text: string): SVGElement {

@@ -1,14 +1,14 @@
 /** Drags any part of the mechanism: it pushes what is in its way, computed in the worker. */
 
 import type { Place } from "../scene.js";
+import { busy, failure } from "./message.js";
 import { IDENTITY, apply, coordinateOf, inverse, ofMotion } from "./placement.js";
 import type { Placement } from "./placement.js";
 import type { Session } from "./session.js";
 import type { Drag } from "./viewport.js";
-import { WorkError } from "./workshop.js";
 import type { Edits, Workshop } from "./workshop.js";
 
-/** What takes longer is told (ms). */
+/** What takes longer is told (ms): at the first drag the spaces of all pairs are computed. */
 const PATIENCE = 300;
 
 export class MechanismHand {
@@ -37,7 +37,7 @@ export class MechanismHand {
         const to = this.#wanted;
         this.#wanted = null;
         const drag = { part, of: [of.x, of.y] as [number, number], to: [to.x, to.y] as [number, number], state: begin };
-        const came = await this.#patiently(() => this.#workshop.drag(this.#edits(), drag));
+        const came = await busy(store, "Computing the pairs of the mechanism …", () => this.#workshop.cancel("drag"), PATIENCE, () => this.#workshop.drag(this.#edits(), drag));
         begin = null;
         this.#session.setPlacements(this.#placements(came.parts));
         store.change({ held: { stopped: came.stopped, overlapping: came.overlapping, gaps: came.gaps } });
@@ -46,8 +46,7 @@ export class MechanismHand {
     };
     const failed = (error: unknown) => {
       this.#isAsking = false;
-      if (error instanceof WorkError && error.cancelled) return;
-      store.change({ message: error instanceof Error ? error.message : String(error) });
+      store.change({ message: failure(error) });
     };
     return {
       move: (to) => {
@@ -56,19 +55,6 @@ export class MechanismHand {
       },
       end: () => store.change({ dragging: false }),
     };
-  }
-
-  /** Says what takes so long, if it does: at the first drag the spaces of all pairs are computed. */
-  async #patiently<T>(work: () => Promise<T>): Promise<T> {
-    const { store } = this.#session;
-    const message = "Computing the pairs of the mechanism …";
-    const timer = setTimeout(() => store.change({ message }), PATIENCE);
-    try {
-      return await work();
-    } finally {
-      clearTimeout(timer);
-      if (store.state.message === message) store.change({ message: null });
-    }
   }
 
   /** Of all parts that move, in order. */

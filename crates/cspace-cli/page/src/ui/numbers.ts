@@ -15,7 +15,12 @@ export function short(value: number): string {
   if (!Number.isFinite(value)) return "–";
   if (value === 0) return "0";
   const size = Math.abs(value);
-  return size < 1e-4 || size >= 1e7 ? value.toExponential(2) : String(Number(value.toPrecision(SHOWN_DIGITS)));
+  return minus(size < 1e-4 || size >= 1e7 ? value.toExponential(2) : String(Number(value.toPrecision(SHOWN_DIGITS))));
+}
+
+/** The text of a number with minus signs in place of hyphens. */
+export function minus(text: string): string {
+  return text.replaceAll("-", "−");
 }
 
 export function length(value: number, unit: string | null): string {
@@ -25,9 +30,16 @@ export function length(value: number, unit: string | null): string {
 /** Angles of less are rounding (degrees). */
 const NO_ANGLE = 1e-9;
 
-export function degrees(angle: number, digits = SHOWN_DIGITS): string {
+/** With so many digits of its own or, as {@link within}, of a span (radians). */
+export function degrees(angle: number, digits = SHOWN_DIGITS, span?: number): string {
   const value = (angle * 180) / Math.PI;
-  return `${short(Math.abs(value) < NO_ANGLE ? 0 : rounded(value, digits))}°`;
+  return `${short(span !== undefined ? within(value, (span * 180) / Math.PI, digits) : Math.abs(value) < NO_ANGLE ? 0 : rounded(value, digits))}°`;
+}
+
+/** To the last decimal of so many digits of a span: what is less is nothing beside it. */
+export function within(value: number, span: number, digits = SHOWN_DIGITS): number {
+  const step = 10 ** (Math.floor(Math.log10(span)) + 1 - digits);
+  return step > 0 && Number.isFinite(value) ? rounded(Math.round(value / step) * step, 15) || 0 : value;
 }
 
 /** To the few digits that people compare by eye. */

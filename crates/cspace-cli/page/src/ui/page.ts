@@ -17,7 +17,7 @@ import { showHints } from "./hints.js";
 import { listenToKeys } from "./keys.js";
 import { Legend } from "./legend.js";
 import { MechanismHand } from "./mechanism-hand.js";
-import { showMessage } from "./message.js";
+import { answer, failure, showMessage } from "./message.js";
 import { PartsView } from "./parts-view.js";
 import { picture, pngFile, svgFile } from "./pictures.js";
 import type { Pane } from "./pictures.js";
@@ -59,7 +59,9 @@ export function openPage({ scene, isOpened }: Shown, worker: string): Promise<vo
   const fetcher = isServed() && !isOpened ? servedPair : workshop ? (pair: number) => workshop.pair(pair) : null;
   const session = new Session(scene, address, fetcher);
   const { store } = session;
-  applyTheme(store.state.theme);
+  // Before all that is drawn in the colours of the theme.
+  store.subscribe((changed, { theme }) => changed.has("theme") && applyTheme(theme));
+  onSystemTheme(() => applyTheme(store.state.theme));
   const editor = workshop && fetcher ? new Editor(session, workshop, fetcher) : null;
 
   const edits = () => editor?.edits ?? UNCHANGED;
@@ -102,14 +104,14 @@ export function openPage({ scene, isOpened }: Shown, worker: string): Promise<vo
   };
   const made = () => picture(panes(), getComputedStyle(byId("left")).backgroundColor, scene.name);
   const openFile = async (file: File) => {
-    if (!(await showFile(file, (message) => store.change({ message })))) await timeline.open(file);
+    if (!(await showFile(file, (text) => store.change({ message: { kind: "progress", text } })))) await timeline.open(file);
   };
-  const failed = (error: unknown) => store.change({ message: error instanceof Error ? error.message : String(error) });
+  const failed = (error: unknown) => store.change({ message: failure(error) });
   const save = (text: string) => {
     download(fileName(scene.name, "toml"), new Blob([text], { type: "application/toml" }));
     editor?.markSaved();
     const isPlain = scene.design !== null && !/^\s*\[+(parameter|requirement)/m.test(text);
-    if (isPlain) store.change({ message: "The model is saved with numbers alone: its parameters and requirements are left out, since parts were edited by hand or the file is JSON." });
+    if (isPlain) store.change({ message: answer("The model is saved with numbers alone: its parameters and requirements are left out, since parts were edited by hand or the file is JSON.") });
   };
   const actions: Actions = {
     toggleStop: () => store.change({ stop: !store.state.stop }),
@@ -143,30 +145,24 @@ export function openPage({ scene, isOpened }: Shown, worker: string): Promise<vo
     },
   };
   showHints(byId("hints"), session);
-  new Toolbar(session, actions, (pair) => void select(pair), editor !== null);
+  new Toolbar(session, actions, (pair) => void select(pair), editor);
   if (editor && scene.source) {
     const { source } = scene;
     // Requirements are measured apart from what the hand waits for.
     let checks: Workshop | null = null;
-    design = new DesignPanel(session, editor, actions, () => (checks ??= new Workshop(worker, source)));
+    design = new DesignPanel(session, editor, () => (checks ??= new Workshop(worker, source)));
     new EditPanel(session, editor, actions);
   }
   listenToKeys(session, actions, { parts: partsView.viewport, plane: planeView.viewport });
   listenToDrops((file) => void openFile(file).catch(failed));
 
   store.subscribe((changed, state) => {
-    if (changed.has("theme")) {
-      applyTheme(state.theme);
-      spaceView?.applyTheme();
-    }
+    if (changed.has("theme")) spaceView?.applyTheme();
     if ((["space", "pair"] as Key[]).some((k) => changed.has(k))) showPanes(session, spaceView !== null);
     if (changed.has("outdated")) document.body.classList.toggle("outdated", state.outdated);
     if (changed.has("message")) showMessage(state.message, () => store.change({ message: null }));
   });
-  onSystemTheme(() => {
-    applyTheme(store.state.theme);
-    spaceView?.applyTheme();
-  });
+  onSystemTheme(() => spaceView?.applyTheme());
   const addressNow = () => writeAddress(store.state, spaceView?.camera ?? null, edits());
   const restore = async (changes: Edits) => {
     if (editor && JSON.stringify(changes) !== JSON.stringify(edits())) await editor.restore(changes).then(() => editor.markSaved(), failed);
@@ -190,7 +186,7 @@ export function openPage({ scene, isOpened }: Shown, worker: string): Promise<vo
     if (editor) keepDraft(byId("side"), session, editor);
     await session.select(store.state.pair, address.configuration ?? null);
   };
-  if (address.warning !== undefined) store.change({ message: address.warning });
+  if (address.warning !== undefined) store.change({ message: answer(address.warning) });
   if (session.pair) void begin(opened()).then(() => {
       if (!address.configuration) timeline.showStart();
       partsView.fit();
@@ -211,8 +207,7 @@ function openSpaceView(session: Session, camera: readonly number[] | null): Spac
     };
     return view;
   } catch (error) {
-    const reason = error instanceof Error ? error.message : String(error);
-    session.store.change({ message: `The 3-D view needs WebGL, which this browser does not offer (${reason}); the slice is shown instead.` });
+    session.store.change({ message: answer(`The 3-D view needs WebGL, which this browser does not offer (${failure(error)?.text}); the slice is shown instead.`) });
     return null;
   }
 }
@@ -259,7 +254,7 @@ function keepAddress(session: Session, spaceView: SpaceView | null, address: () 
   window.addEventListener("hashchange", async () => {
     if (location.hash === written) return;
     const to = readAddress(location.hash, session.scene);
-    if (to.warning !== undefined) store.change({ message: to.warning });
+    if (to.warning !== undefined) store.change({ message: answer(to.warning) });
     if (to.warning !== undefined && !to.edits) return;
     await restore(to.edits ?? UNCHANGED);
     const { theme, stop, colouring, cut, height } = { ...USUAL, ...to };

@@ -75,6 +75,7 @@ export class PartsView {
     this.#handles = svg("g", { class: "handles" });
     this.viewport.overlay.append(this.#pivots, this.#names.group, this.#marks, this.#measure.group, this.#handles);
     this.viewport.onView = () => this.#drawOverlay();
+    editor?.onSelect.push(() => this.#drawOverlay());
     session.store.subscribe((changed, state) => this.#update(changed, state));
     this.fit();
   }

@@ -3,9 +3,11 @@
 import type { AxisInfo, Touch } from "../kernel/api.js";
 import { html, say, set } from "./dom.js";
 import { isAxes } from "./mechanism.js";
-import { degrees, length, short } from "./numbers.js";
+import { degrees, length, short, within } from "./numbers.js";
+import { TURN } from "./placement.js";
 import { regionName } from "./region-names.js";
 import type { Session } from "./session.js";
+import { sliceExtent } from "./slice-extent.js";
 import type { Key } from "./state.js";
 import { regionOf } from "./verdict.js";
 
@@ -20,6 +22,9 @@ export class Readout {
   readonly #region: HTMLElement;
   readonly #nearest: HTMLElement;
   readonly #touching: HTMLElement;
+  /** What experts ask for: what the pair is, and features as the command calls them. */
+  readonly #pairClass = html("div", { id: "pair-class" });
+  readonly #details = html("div", { class: "touching-list" });
 
   constructor(parent: HTMLElement, session: Session) {
     this.#session = session;
@@ -33,11 +38,12 @@ export class Readout {
     this.#configuration = entry("configuration", "", "number");
     this.#class = entry("is", "short", "class");
     this.#region = entry("region", "short");
-    this.#nearest = entry("nearest features", "tall", "number");
+    this.#nearest = entry("nearest", "tall", "number");
     this.#touching = entry("touching", "", "touching-list");
+    parent.append(html("details", { id: "details" }, html("summary", {}, "Details"), this.#pairClass, this.#details));
     this.#class.setAttribute("aria-live", "polite");
     session.store.subscribe((changed) => {
-      if ((["where", "configuration", "space", "outdated"] as Key[]).some((k) => changed.has(k))) this.#draw();
+      if ((["where", "configuration", "space", "scene", "outdated"] as Key[]).some((k) => changed.has(k))) this.#draw();
     });
   }
 
@@ -48,28 +54,36 @@ export class Readout {
     // A shape that crosses itself has no space.
     this.#outdated.hidden = !state.outdated;
     say(this.#outdated, state.outdated ? "of the last valid shape:" : "");
+    const extent = sliceExtent(state);
+    const at = (value: number) => length(within(value, extent), scene.unit);
     if (isAxes(c)) {
-      const text = (value: number, info: AxisInfo | undefined) => (info?.kind === "length" ? length(value, scene.unit) : info?.kind === "still" ? "still" : degrees(value));
+      const text = (value: number, info: AxisInfo | undefined) => (info?.kind === "length" ? at(value) : info?.kind === "still" ? "still" : degrees(value, 6, TURN));
       say(this.#configuration, `u ${text(c.u, axes?.u)}, v ${text(c.v, axes?.v)}`);
     } else {
-      say(this.#configuration, `x ${length(c.x, scene.unit)}, y ${length(c.y, scene.unit)}, θ ${degrees(c.theta)}`);
+      say(this.#configuration, `x ${at(c.x)}, y ${at(c.y)}, θ ${degrees(c.theta, 6, TURN)}`);
     }
     const outside = kernel && kernel.class !== "lower" ? "outside of the window" : "–";
     say(this.#class, classification ?? outside);
     set(this.#class, { "data-class": classification ?? "" });
     // A configuration in contact bounds the region of the patch it is on.
     const bounds = region === null ? regionOf({ where: state.where, kernel }) : null;
-    const pair = this.#session.pair;
+    const { pair } = this.#session;
     const name = (index: number) => (pair ? regionName(pair, index) : String(index));
     say(this.#region, region !== null ? name(region) : bounds !== null ? `edge of ${name(bounds)}` : "–");
-    const known = this.#session.pair?.resolution ?? 0;
-    say(this.#nearest, nearest ? `${distanceText(nearest.distance, known, scene.unit)}: ${nearest.fixed} | ${nearest.moving}` : "–");
-    if (touching.length === 0) say(this.#touching, "nothing");
-    else {
-      const lines = touching.slice(0, LISTED).map((t) => html("div", {}, touchText(t, known, scene.unit)));
-      if (touching.length > LISTED) lines.push(html("div", {}, `and ${touching.length - LISTED} more`));
-      this.#touching.replaceChildren(...lines);
-    }
+    const known = pair?.resolution ?? 0;
+    const words = ({ fixed, moving }: Touch) => `${kernel?.words(fixed, false)} | ${kernel?.words(moving, true)}`;
+    say(this.#nearest, nearest ? `${distanceText(nearest.distance, known, scene.unit)}: ${words(nearest)}` : "–");
+    const list = (element: HTMLElement, text: (touch: Touch) => string) => {
+      // Two features may be called the same.
+      const lines = [...new Set(touching.slice(0, LISTED).map(text))];
+      if (lines.length === 0) lines.push("nothing");
+      if (touching.length > LISTED) lines.push(`and ${touching.length - LISTED} more`);
+      element.replaceChildren(...lines.map((line) => html("div", {}, line)));
+    };
+    list(this.#touching, words);
+    const { fixed = 0, moving = 0 } = pair?.features ?? {};
+    say(this.#pairClass, pair ? `${pair.class} pair, ${fixed} + ${moving} features, ${kernel?.patchCount ?? 0} patches` : "");
+    list(this.#details, (t) => touchText(t, known, scene.unit));
   }
 }
 

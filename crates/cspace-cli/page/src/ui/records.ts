@@ -28,7 +28,7 @@ export function readRecordText(name: string, text: string): PlayableRecord {
   try {
     json = JSON.parse(text);
   } catch (error) {
-    throw new RecordError(`${name}: not JSON: ${error instanceof Error ? error.message : String(error)}`);
+    throw new RecordError(`${name}: a model (.toml), a drawing (.dxf, .svg), or what "cspace plan" or "cspace simulate" prints with --json is expected; this is not JSON (${error instanceof Error ? error.message : String(error)})`);
   }
   return readRecord(name, json);
 }

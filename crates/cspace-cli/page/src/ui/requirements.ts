@@ -129,6 +129,7 @@ export class Requirements {
     mark.className = `mark${kind}`;
     say(mark, row.undecided ? "?" : row.met === null ? "·" : row.met ? "✓" : "✗");
     mark.title = row.undecided ? "not decided" : row.met === null ? "measured alone" : row.met ? "met" : "not met";
+    set(mark, { role: "img", "aria-label": mark.title });
     const is = row.value === null ? (row.failure ?? "none") : this.#text(row, row.value);
     const ask = row.limits ? ` of ${this.#text(row, row.limits[0])} to ${this.#text(row, row.limits[1])}` : "";
     say(value, `${is}${ask}`);

@@ -11,6 +11,7 @@ import type { Interval } from "./heights.js";
 import { lowerPair } from "./lower.js";
 import { atRest, configurationOf, hasAxes, isAxes, isPlanar, placed } from "./mechanism.js";
 import type { Anchor } from "./mechanism.js";
+import { note } from "./message.js";
 import { IDENTITY, apply, coordinateOf, ofMotion, relative, rotate } from "./placement.js";
 import type { Placement } from "./placement.js";
 import { regionName } from "./region-names.js";
@@ -350,7 +351,7 @@ export class Session {
     if (step) this.setConfiguration(step);
     const [way, of] = [by > 0 ? "upwards" : "downwards", region === null ? "" : ` of ${regionName(pair, region)}`];
     const last = `From here the part turns no further ${way}: this was the last band${of}. Move it first, or switch off "Stop at contact" to look at the others.`;
-    this.store.change({ message: step ? null : last });
+    this.store.change({ message: step ? null : note(last) });
   }
 
   /** Everything as it is drawn. */

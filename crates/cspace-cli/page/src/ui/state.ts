@@ -26,6 +26,15 @@ export interface Where {
   patches: number[];
 }
 
+/** What is said over the views. */
+export interface Message {
+  /** A note fades; an answer and an error stay until they are closed, and progress until it is over. */
+  kind: "note" | "answer" | "progress" | "error";
+  text: string;
+  /** Ends what is under way. */
+  cancel?: () => void;
+}
+
 export interface State {
   scene: Scene;
   /** The parts as the model gives them or as they are edited. */
@@ -67,8 +76,7 @@ export interface State {
   held: { stopped: readonly string[]; overlapping: readonly (readonly [string, string])[]; gaps: readonly string[] } | null;
   /** Whether the parts are shown elsewhere than they are drawn, where they overlap. */
   displaced: boolean;
-  /** What went wrong last, for the user. */
-  message: string | null;
+  message: Message | null;
 }
 
 export type Key = keyof State;

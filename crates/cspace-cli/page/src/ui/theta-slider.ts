@@ -1,9 +1,9 @@
 /** The orientation: a slider whose ticks are the critical orientations, with the current band marked. */
 
-import { html, say, set } from "./dom.js";
+import { button, html, say, set } from "./dom.js";
 import { isPlanar } from "./mechanism.js";
 import { lowerPair } from "./lower.js";
-import { degrees, length } from "./numbers.js";
+import { degrees, length, within } from "./numbers.js";
 import { TURN, wrap } from "./placement.js";
 import type { Session } from "./session.js";
 import type { Key } from "./state.js";
@@ -27,12 +27,8 @@ export class ThetaSlider {
     this.#slider = html("div", { class: "theta-slider", role: "slider", tabindex: 0, "aria-label": "Orientation" }, this.#canvas);
     this.#text = html("output", { class: "band-text" });
     this.#name = html("span", { class: "theta-name" }, "θ");
-    const button = (text: string, label: string, by: 1 | -1) => {
-      const b = html("button", { type: "button", "aria-label": label, title: label }, text);
-      b.addEventListener("click", () => session.stepBand(by));
-      return b;
-    };
-    this.#bands = [button("◀", "Previous band (Page Down)", -1), button("▶", "Next band (Page Up)", 1)];
+    const step = (text: string, label: string, by: 1 | -1) => button(text, () => session.stepBand(by), { "aria-label": label, title: label });
+    this.#bands = [step("◀", "Previous band (Page Down)", -1), step("▶", "Next band (Page Up)", 1)];
     parent.append(this.#name, ...this.#bands.slice(0, 1), this.#slider, ...this.#bands.slice(1), this.#text);
     this.#listen();
     new ResizeObserver(() => this.#draw()).observe(this.#slider);
@@ -115,7 +111,8 @@ export class ThetaSlider {
     this.#slider.parentElement?.classList.toggle("unused", !range);
     for (const b of this.#bands) b.hidden = !planar;
     if (!range) return;
-    const text = range.angle ? degrees(range.value) : length(range.value, scene.unit);
+    const span = range.hi - range.lo;
+    const text = range.angle ? degrees(range.value, 6, span) : length(within(range.value, span), scene.unit);
     set(this.#slider, { "aria-valuemin": range.lo, "aria-valuemax": range.hi, "aria-valuenow": range.value, "aria-valuetext": text });
     say(this.#name, planar ? "θ" : "joint");
 
@@ -145,7 +142,7 @@ export class ThetaSlider {
       }
       g.fillStyle = colour("--tick");
       for (const theta of planar.criticalOrientations) g.fillRect(x(range.round ? wrap(theta, range.lo) : theta) - 0.5, middle - 9, 1, 18);
-      const ends = band ? `, ${degrees(band[0])} to ${degrees(band[1])}` : "";
+      const ends = band ? `, ${band.map((end) => degrees(end, 4, band[1] - band[0])).join(" to ")}` : "";
       say(this.#text, `${text} · band ${index + 1} of ${planar.bands.length}${ends}`);
     } else {
       say(this.#text, text);

@@ -1,7 +1,8 @@
 /** Planned ways, assemblies that come apart and simulations are played here. */
 
-import { html, say, set } from "./dom.js";
+import { button, html, say, set } from "./dom.js";
 import { isAxes } from "./mechanism.js";
+import { failure } from "./message.js";
 import { short } from "./numbers.js";
 import { pathAt, stateAt } from "./playable.js";
 import type { PlayableRecord } from "./playable.js";
@@ -45,8 +46,7 @@ export class Timeline {
       this.#choose([...this.#records.keys()][this.#choice.selectedIndex] ?? null);
       this.showStart();
     });
-    this.#play = html("button", { type: "button", class: "play" }, "▶");
-    this.#play.addEventListener("click", () => this.toggle());
+    this.#play = button("▶", () => this.toggle(), { class: "play" });
     this.#scrub = html("input", { type: "range", min: 0, max: 1, step: "any", value: 0, "aria-label": "Time" });
     this.#scrub.addEventListener("input", () => store.change({ time: Number(this.#scrub.value), playing: false }));
     this.#ticks = html("div", { class: "ticks" });
@@ -60,10 +60,9 @@ export class Timeline {
       if (!again) return;
       this.#records.delete(record);
       this.#choose(null);
-      again().catch((error: unknown) => store.change({ message: String(error) }));
+      again().catch((error: unknown) => store.change({ message: failure(error) }));
     });
-    const close = html("button", { type: "button", "aria-label": "Close the record" }, "✕");
-    close.addEventListener("click", () => this.#choose(null));
+    const close = button("✕", () => this.#choose(null), { "aria-label": "Close the record" });
     parent.append(this.#choice, this.#play, html("div", { class: "track" }, this.#ticks, this.#scrub), speed, this.#text, this.#again, close);
     for (const { name, record } of session.scene.records) this.#keep(() => readRecord(name, record));
     store.subscribe((changed) => this.#update(changed));
@@ -124,14 +123,14 @@ export class Timeline {
       take();
     } catch (error) {
       if (!(error instanceof RecordError)) throw error;
-      this.#session.store.change({ message: error.message });
+      this.#session.store.change({ message: failure(error) });
     }
   }
 
   #choose(record: PlayableRecord | null): void {
     const problem = record ? this.#mismatch(record) : null;
     if (problem) {
-      this.#session.store.change({ message: problem });
+      this.#session.store.change({ message: failure(problem) });
       // The list shows the record that is played, and not the one that cannot be.
       this.#drawRecord(this.#session.state.record);
       return;
@@ -180,6 +179,7 @@ export class Timeline {
     const told = [...record.ticks].reverse().find((t) => t.t <= state.time);
     const [now, end] = record.kind === "plan" ? [state.time, record.duration] : [stateAt(record, state.time)?.time ?? 0, record.steps.at(-1)?.time ?? 0];
     say(this.#text, `${short(Number(now.toFixed(3)))} s of ${short(end)} s · ${told ? told.text : record.summary}`);
+    set(this.#text, { title: this.#text.textContent });
     if (changed.has("time")) this.#show(record, state.time);
   }
 

@@ -1,48 +1,58 @@
 /** The bar at the top: which model and pair, switches and files. */
 
 import type { Actions } from "./actions.js";
-import { byId, html, say, set } from "./dom.js";
+import { button, byId, html, say, set } from "./dom.js";
+import type { Editor } from "./edit.js";
 import type { Session } from "./session.js";
 import type { Key } from "./state.js";
 
 export class Toolbar {
-  constructor(session: Session, actions: Actions, select: (pair: number) => void, canEdit: boolean) {
+  constructor(session: Session, actions: Actions, select: (pair: number) => void, editor: Editor | null) {
     const name = session.scene.name || "cspace";
     say(byId("model-name"), name);
+    byId("model-name").title = name;
     document.title = `${name} – cspace`;
     const choice = byId<HTMLSelectElement>("pair");
     const of = (i: number) => session.scene.parts[i]?.name ?? "?";
-    choice.append(...session.scene.pairs.map((p, i) => html("option", { value: i }, `${of(p.fixed)} | ${of(p.moving)} (${p.class})`)));
+    choice.append(...session.scene.pairs.map((p, i) => html("option", { value: i }, `${of(p.fixed)} | ${of(p.moving)}${p.class === "lower" ? " (joined)" : ""}`)));
     choice.addEventListener("change", () => select(choice.selectedIndex));
 
     const tools = byId("tools");
-    const button = (text: string, label: string, action: (event: MouseEvent) => void, parent = tools) => {
-      const b = html("button", { type: "button", title: label }, text);
-      b.addEventListener("click", action);
+    const tool = (text: string, label: string, action: (event: MouseEvent) => void, parent = tools) => {
+      const b = button(text, action, { title: label });
       parent.append(b);
       return b;
     };
-    const stop = button("Stop at contact", "The moving part stops and slides where it touches (s)", actions.toggleStop);
-    const colours = button("Kinds", "Colour patches by the kind of contact", actions.toggleColouring);
-    const cut = button("Cut", "Cut the surface away above the current orientation (c)", actions.toggleCut);
-    const fit = button("Fit", "Show everything (f)", actions.fit);
-    const measure = button("Measure", "Click two corners or edges of parts: their distance is shown, and follows them (m)", actions.toggleMeasure);
-    const edit = canEdit ? button("Edit", "Drag vertices, arcs and pivots", actions.toggleEdit) : null;
-    button("Open", "Open a model (TOML) or a drawing (DXF, SVG), or play what cspace plan or cspace simulate printed", actions.openRecord);
-    button("SVG", "Save a picture as SVG", actions.saveSvg);
-    button("PNG", "Save a picture as PNG", actions.savePng);
-    button("Save page", "Save this page as one file, with the model as it is changed", actions.savePage);
-    const theme = button("Theme", "Light, dark, or as the system", actions.toggleTheme);
-    button("?", "Help (?)", actions.help).setAttribute("aria-label", "Help");
+    const stop = tool("Stop at contact", "The moving part stops and slides where it touches (s)", actions.toggleStop);
+    const colours = tool("Kinds", "Colour patches by the kind of contact", actions.toggleColouring, byId("details"));
+    const cut = tool("Cut", "Cut the surface away above the current orientation (c)", actions.toggleCut);
+    const fit = tool("Fit", "Show everything (f)", actions.fit);
+    const measure = tool("Measure", "Click two corners or edges of parts: their distance is shown, and follows them (m)", actions.toggleMeasure);
+    const edit = editor ? tool("Edit", "Drag vertices, arcs and pivots", actions.toggleEdit) : null;
+    tool("Open", "Open a model (TOML) or a drawing (DXF, SVG), or play what cspace plan or cspace simulate printed", actions.openRecord);
+    tool("SVG", "Save a picture as SVG", actions.saveSvg);
+    tool("PNG", "Save a picture as PNG", actions.savePng);
+    tool("Save page", "Save this page as one file, with the model as it is changed", actions.savePage);
+    const theme = tool("Theme", "Light, dark, or as the system", actions.toggleTheme);
+    tool("?", "Help (?)", actions.help).setAttribute("aria-label", "Help");
     fit.setAttribute("aria-label", "Fit");
     // What the worker computes.
     const ways = byId("ways");
-    ways.hidden = !canEdit;
-    const out = button("Way out", "Plan a way from here to where the moving part is free, and play it; with Shift the widest", (event) => actions.wayOut(event.shiftKey), ways);
-    button("Play mechanism", "Play the whole mechanism, as its drives move it", actions.playMechanism, ways);
-    const whole = button("Push all parts", "What is dragged pushes all parts of the mechanism, and not the selected pair alone", actions.toggleWhole, ways);
+    ways.hidden = !editor;
+    const changes = byId("changes");
+    changes.hidden = !editor;
+    const undo = tool("Undo", "Take the last change back (Ctrl-Z)", actions.undo, changes);
+    const redo = tool("Redo", "Make it again (Ctrl-Shift-Z)", actions.redo, changes);
+    tool("Save model", "Save the model as it is changed (TOML)", actions.saveModel, changes);
+    const out = tool("Way out", "Plan a way from here to where the moving part is free, and play it; with Shift the widest", (event) => actions.wayOut(event.shiftKey), ways);
+    tool("Play mechanism", "Play the whole mechanism, as its drives move it", actions.playMechanism, ways);
+    const whole = tool("Push all parts", "What is dragged pushes all parts of the mechanism, and not the selected pair alone", actions.toggleWhole, ways);
 
     session.store.subscribe((changed, state) => {
+      if (changed.has("scene") || changed.has("parts")) {
+        undo.disabled = !editor?.canUndo;
+        redo.disabled = !editor?.canRedo;
+      }
       if (changed.has("pair")) choice.selectedIndex = state.pair;
       const pressed = (b: HTMLElement | null, on: boolean) => b && set(b, { "aria-pressed": String(on) });
       pressed(stop, state.stop);
@@ -56,9 +66,6 @@ export class Toolbar {
         const pair = session.pair;
         out.hidden = pair?.class === "fixed-axes" || pair?.class === "lower";
         cut.hidden = pair?.class === "fixed-axes" || pair?.class === "lower";
-        const { fixed = 0, moving = 0 } = pair?.features ?? {};
-        const known = state.space.state === "ready" && session.kernel ? `, ${session.kernel.patchCount} patches` : "";
-        say(byId("pair-class"), pair ? `${fixed} + ${moving} features${known}` : "");
       }
     });
   }

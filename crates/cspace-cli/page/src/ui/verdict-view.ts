@@ -5,7 +5,7 @@ import { lowerPair } from "./lower.js";
 import { playOf } from "./play.js";
 import type { Session } from "./session.js";
 import type { Key } from "./state.js";
-import { details, headline } from "./verdict.js";
+import { details, headline, standing } from "./verdict.js";
 import { unhurried } from "./unhurried.js";
 import type { Told } from "./verdict.js";
 
@@ -20,23 +20,25 @@ export class VerdictView {
   readonly #element: HTMLElement;
   readonly #headline = html("p", { class: "headline", "aria-live": "polite" });
   readonly #details = html("div", { class: "detail" });
-  readonly #held = html("div", { class: "detail", "aria-live": "polite" });
+  readonly #held = html("div", { class: "held", "aria-live": "polite" });
   readonly #tellLater = unhurried(() => this.#tell(), PAUSE);
 
   constructor(parent: HTMLElement, session: Session) {
     this.#session = session;
     this.#element = parent;
-    parent.append(this.#headline, this.#details, this.#held);
+    parent.append(html("div", { class: "pinned" }, this.#headline, this.#held), this.#details);
     session.store.subscribe((changed) => {
+      if (changed.has("pair")) this.#element.style.minHeight = "";
       if (changed.has("held")) this.#sayHeld();
-      if ((["where", "space", "pair", "parts", "displaced"] as Key[]).some((k) => changed.has(k))) this.#draw();
+      if ((["where", "space", "pair", "parts", "displaced", "whole"] as Key[]).some((k) => changed.has(k))) this.#draw();
     });
   }
 
   #draw(): void {
     const { pair, state } = this.#session;
     const told = this.#told();
-    set(this.#element, { "data-class": told ? (state.where.fits ? "contact" : state.where.classification) : null });
+    const touches = state.where.classification === "contact" || state.where.fits;
+    set(this.#element, { "data-standing": told && standing(told), class: touches ? "touching" : null });
     if (told) say(this.#headline, headline(told));
     else if (state.space.state === "loading") say(this.#headline, "Computing …");
     else say(this.#headline, pair && lowerPair(pair) ? "Joined: the parts always touch." : "No configuration space.");
@@ -49,14 +51,14 @@ export class VerdictView {
     const lines = overlapping.map(([a, b]) => `${a} and ${b} overlap: drag them apart.`);
     if (stopped.length > 0) lines.push(`Stopped: ${stopped.slice(0, LISTED).join("; ")}${stopped.length > LISTED ? ` and ${stopped.length - LISTED} more` : ""}.`);
     lines.push(...gaps.map((gap) => `${gap}.`));
-    this.#held.replaceChildren(...lines.map((line) => html("p", {}, line)));
+    this.#show(this.#held, lines);
   }
 
   #told(): Told | null {
     const { pair, kernel, state, scene, axes } = this.#session;
     if (!pair || !kernel || kernel.class === "lower") return null;
     const name = (part: number) => scene.parts[part]?.name ?? "?";
-    return { pair, kernel, where: state.where, fixed: name(pair.fixed), moving: name(pair.moving), axes: axes ? [axes.u, axes.v] : null, others: scene.parts.length > 2, displaced: state.displaced, unit: scene.unit };
+    return { pair, kernel, where: state.where, fixed: name(pair.fixed), moving: name(pair.moving), axes: axes ? [axes.u, axes.v] : null, others: scene.parts.length > 2, whole: state.whole, displaced: state.displaced, unit: scene.unit };
   }
 
   #tell(): void {
@@ -64,6 +66,12 @@ export class VerdictView {
     const { kernel, state } = this.#session;
     const free = state.where.classification === "free" || state.where.classification === "contact";
     const lines = told && kernel ? details(told, free ? playOf(kernel, state.configuration) : []) : [];
-    this.#details.replaceChildren(...lines.map((line) => html("p", {}, line)));
+    this.#show(this.#details, lines);
+  }
+
+  /** What took room once keeps it: what is below stays in its place. */
+  #show(element: HTMLElement, lines: readonly string[]): void {
+    element.replaceChildren(...lines.map((line) => html("p", {}, line)));
+    this.#element.style.minHeight = `${this.#element.offsetHeight}px`;
   }
 }

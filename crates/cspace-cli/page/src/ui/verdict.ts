@@ -20,6 +20,8 @@ export interface Told {
   axes: [AxisInfo, AxisInfo] | null;
   /** Whether the model has other parts, which are left out of account. */
   others: boolean;
+  /** Whether others are pushed all the same. */
+  whole: boolean;
   /** Whether the parts are shown elsewhere than they are drawn, where they overlap. */
   displaced: boolean;
   unit: string | null;
@@ -30,6 +32,14 @@ export function regionOf({ where, kernel }: { where: Where; kernel: Pick<Kernel,
   if (where.region !== null) return where.region;
   const [patch] = where.patches;
   return patch === undefined || !kernel ? null : kernel.patch(patch).region;
+}
+
+/** What the verdict comes to; null where nothing can be caged, or nothing is known. */
+export function standing(told: Told): "caged" | "leaves" | "overlap" | null {
+  if (told.where.classification === "blocked") return told.where.fits ? "caged" : "overlap";
+  const region = regionOf(told);
+  if (region === null || told.pair.class === "fixed-axes") return null;
+  return told.pair.regions[region]?.unbounded ? "leaves" : "caged";
 }
 
 /** The verdict, in a sentence. */
@@ -92,7 +102,7 @@ export function details(told: Told, play: readonly Way[]): string[] {
     lines.push(`Play from here: ${slides.join(", ")}${turn ? `; without shifting it ${moves(turn, unit)}` : ""}.`);
   }
   if (told.displaced) lines.push("As they are drawn they overlap: they are shown beside each other.");
-  if (told.others) lines.push("Only these two parts count here: the others are left out.");
+  if (told.others && !told.whole) lines.push("Only these two parts count here: the others are left out.");
   return lines;
 }
 

@@ -3,8 +3,9 @@
 import { numbersOf } from "./legs.js";
 import type { Timeline } from "./timeline.js";
 import type { Session } from "./session.js";
+import { answer, busy } from "./message.js";
 import { regionName } from "./region-names.js";
-import type { Edits, Workshop } from "./workshop.js";
+import type { Edits, Question, Workshop } from "./workshop.js";
 
 /** What is read of a plan. */
 interface Plan {
@@ -29,19 +30,17 @@ export class Ways {
   async out(widest: boolean, from = this.#session.state.configuration): Promise<void> {
     const { state } = this.#session;
     const edits = this.#edits();
-    const text = await this.#busy("Looking for a way out …", () =>
-      this.#workshop.plan(state.pair, edits, numbersOf(from), [], widest),
-    );
+    const text = await this.#busy("Looking for a way out …", "plan", () => this.#workshop.plan(state.pair, edits, numbersOf(from), [], widest));
     const plan = JSON.parse(text) as Plan;
     if (plan.verdict === "path") this.#timeline.play(widest ? "widest way out" : "way out", text, edits, () => this.out(widest, from));
-    else this.#session.store.change({ message: this.#why(plan) });
+    else this.#session.store.change({ message: answer(this.#why(plan)) });
   }
 
   #why({ verdict, enclosed }: Plan): string {
-    const { pair } = this.#session;
+    const { pair, kernel } = this.#session;
     if (verdict === "from-blocked") return "The parts overlap here: there is no way out of an overlap.";
     if (!enclosed || !pair) return "No way out was found.";
-    const [first, ...others] = enclosed.touching.map(([a, b]) => `${a} | ${b}`);
+    const [first, ...others] = enclosed.touching.map(([a, b]) => `${kernel?.words(a, false)} | ${kernel?.words(b, true)}`);
     const by = first === undefined ? "" : `, by ${first}${others.length > 0 ? ` and ${others.length} more` : ""}`;
     return `There is no way out: ${regionName(pair, enclosed.region)} is enclosed${by}.`;
   }
@@ -49,18 +48,11 @@ export class Ways {
   /** Plays the whole mechanism, as its drives move it. */
   async mechanism(): Promise<void> {
     const edits = this.#edits();
-    const text = await this.#busy("Computing the motion of the mechanism …", () => this.#workshop.simulate(edits));
+    const text = await this.#busy("Computing the motion of the mechanism …", "simulate", () => this.#workshop.simulate(edits));
     this.#timeline.play("mechanism", text, edits, () => this.mechanism());
   }
 
-  /** Says what is done as long as it is. */
-  async #busy<T>(message: string, work: () => Promise<T>): Promise<T> {
-    const { store } = this.#session;
-    store.change({ message });
-    try {
-      return await work();
-    } finally {
-      if (store.state.message === message) store.change({ message: null });
-    }
+  #busy(text: string, what: Question["what"], work: () => Promise<string>): Promise<string> {
+    return busy(this.#session.store, text, () => this.#workshop.cancel(what), 0, work);
   }
 }

@@ -140,9 +140,13 @@ export class Workshop {
     for (const { request } of this.#waiting) this.#worker.postMessage(request);
   }
 
-  /** Ends what is at work. */
-  cancel(): void {
-    if (this.#waiting.length > 0) this.#restart(new WorkError("a newer request came", true));
+  /** Ends what is at work, or the first that asks so. */
+  cancel(what?: Question["what"]): void {
+    const at = what === undefined ? 0 : this.#waiting.findIndex((w) => w.request.what === what);
+    const reason = new WorkError("nobody waits for it any more", true);
+    // The answer to what waits behind other work is not taken.
+    if (at > 0) this.#waiting.splice(at, 1)[0]?.reject(reason);
+    else if (this.#waiting[at]) this.#restart(reason);
   }
 
   #ask(question: Question): Promise<string> {

@@ -228,6 +228,7 @@ describe("the page in a browser", { skip }, () => {
     await page.click("#legend input[type=checkbox]");
     await settled(page);
     assert.ok(difference(first, await pictureOf(page, "#space canvas")) < 0.002);
+    await page.click("#details summary");
     await press(page, "Kinds");
     assert.ok(difference(first, await pictureOf(page, "#space canvas")) > 0.01);
     assert.match(await page.$eval("#legend", (e) => e.textContent ?? ""), /arc/);
@@ -314,7 +315,7 @@ describe("the page in a browser", { skip }, () => {
       suite.opened = await open(suite.browser, addressOf(exported(model("snap_fastener"), suite.folder)), { width, height });
       const over = await suite.opened.page.evaluate(() => document.documentElement.scrollWidth - window.innerWidth);
       assert.ok(over <= 0, `${over} pixels too wide at ${width}`);
-      for (const pane of ["#parts", "#space", "#slice", "#theta", "#readout"]) {
+      for (const pane of ["#parts", "#space", "#slice", "#theta", "#verdict"]) {
         const box = await boxOf(suite.opened.page, pane);
         assert.ok(box.width > 100 && box.height > 15 && box.y + box.height <= height + 1, `${pane} at ${width}: ${JSON.stringify(box)}`);
       }

@@ -89,7 +89,7 @@ describe("the page that tells", { skip }, () => {
   it("keeps every view in its place while a part is dragged into contact", { skip: long }, async () => {
     const page = await openModel(model("snap_fastener"));
     const places = (): Promise<string> =>
-      page.$$eval("#parts, #space, #slice, #verdict, #legend, #readout, #theta", (all) => JSON.stringify(all.map((e) => e.getBoundingClientRect().toJSON() as DOMRect)));
+      page.$$eval("#parts, #space, #slice, #verdict, #legend, #readout, #theta", (all) => JSON.stringify(all.map((e) => { const { x, y, width, height } = e.getBoundingClientRect(); return e.id === "readout" ? { x, y, width } : { x, y, width, height }; })));
     await page.evaluate(() => window.cspace.setConfiguration({ x: 0, y: 20, theta: 0 }));
     await settled(page);
     const apart = await places();
@@ -107,8 +107,8 @@ describe("the page that tells", { skip }, () => {
     writeFileSync(record, run(["simulate", model("geneva"), "--time", "0.3", "--every", "0.01", "--json"]));
     const size = { width: 390, height: 844, isMobile: true, hasTouch: true };
     for (const [name, more, panes] of [
-      ["ball_in_c", [], ["#parts", "#space", "#slice", "#verdict", ".theta-slider", "#tools"]],
-      ["geneva", ["--with", record], ["#parts", "#plane", "#verdict", "#timeline .track input", "#tools"]],
+      ["ball_in_c", [], ["#parts", "#space", "#slice", "#verdict .headline", ".theta-slider", "#tools"]],
+      ["geneva", ["--with", record], ["#parts", "#plane", "#verdict .headline", "#timeline .track input", "#tools"]],
     ] as const) {
       suite.opened = await load(suite.browser, addressOf(exported(model(name), suite.folder, [...more])), size);
       const { page } = suite.opened;
