@@ -15,7 +15,7 @@ use crate::system::{Law, Row, System};
 use super::balance::Closed;
 use super::check::goes_on;
 use super::flow::{Arrived, Flow};
-use super::friction::{combinations, cones};
+use super::friction::{combinations, cones, let_go};
 use super::holding::{Holding, friction};
 use super::resisted::Closing;
 use super::velocity::{Held, Local, Nearest};
@@ -129,9 +129,11 @@ fn rubbing<'a>(
     };
     let mut possible: Vec<Vec<Bound>> = Vec::new();
     let rest = core::iter::once_with(|| combinations(pairs, &groups)).flatten();
+    let let_go = closing.sets().flat_map(|set| let_go(&set));
     for held in closing
         .sets()
         .chain(rest)
+        .chain(let_go)
         .map(|set| [&set, brakes].concat())
     {
         if is_possible(&held) {

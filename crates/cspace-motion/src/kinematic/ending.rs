@@ -84,7 +84,10 @@ impl Run<'_> {
         } else if list.is_empty() {
             "a pair left the orientations of its space, or the metric is singular".to_owned()
         } else {
-            format!("no set of these contacts leads on: {}", list.join("; "))
+            format!(
+                "it is not found which of these contacts hold as it goes on; give the parts a `density`, and their masses decide: {}",
+                list.join("; ")
+            )
         };
         self.end(time, q, Status::Undetermined, Some(reason));
     }

@@ -117,3 +117,35 @@ pub(super) fn combinations(pairs: &Pairs, groups: &[Vec<Bound>]) -> Vec<Vec<Boun
     states.sort_by_key(|state| (state.len(), sticking(state)));
     states
 }
+
+/// Most contacts that stick of which all are let go in every direction.
+const MOST_LET_GO: u32 = 4;
+
+/// A set in which some of the contacts that stick slide instead, in either direction: where others keep them from sliding, what they carry
+/// is not told by their sticking, and may be all that friction allows. Few at first; empty if too many stick.
+pub(super) fn let_go(set: &[Bound]) -> Vec<Vec<Bound>> {
+    let sticking: Vec<usize> = (0..set.len())
+        .filter(|&i| grip(&set[i]) == Grip::Sticks)
+        .collect();
+    let count = u32::try_from(sticking.len()).unwrap_or(u32::MAX);
+    if count > MOST_LET_GO {
+        return Vec::new();
+    }
+    let changed = |code: usize| {
+        let mut changed = set.to_vec();
+        let mut code = code;
+        for &i in &sticking {
+            if let (Bound::Contact(touch), 1..) = (set[i], code % 3) {
+                let forward = code % 3 == 1;
+                changed[i] = Bound::Contact(touch.with(Grip::Slides { forward }));
+            }
+            code /= 3;
+        }
+        changed
+    };
+    let mut all: Vec<Vec<Bound>> = (1..3_usize.pow(count)).map(changed).collect();
+    all.sort_by_key(|set| {
+        core::cmp::Reverse(set.iter().filter(|b| grip(b) == Grip::Sticks).count())
+    });
+    all
+}

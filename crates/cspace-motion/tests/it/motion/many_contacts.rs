@@ -124,3 +124,61 @@ fn a_stack_of_blocks_slides_where_it_is_pushed() {
         }
     }
 }
+
+/// Square blocks of different weights, rough all around, that a flat pusher moves. What it rubs with, V, is not determined, and all that move
+/// press on the floor with W − V: the force of the drive is F = μ (W − V) with |V| ≤ μ F.
+#[test]
+fn rough_blocks_are_pushed_by_the_sum_of_friction() {
+    for friction in [0.25, 0.4] {
+        let mut model = format!(
+            r#"
+friction = {friction:?}
+[[part]]
+name = "floor"
+motion = {{ type = "fixed" }}
+loops = [[[-100, -10], [200, -10], [200, 0], [-100, 0]]]
+[[part]]
+name = "pusher"
+motion = {{ type = "prismatic", direction = [1, 0] }}
+loops = [[[-20, 4], [-2, 4], [-2, 6], [-20, 6]]]
+[[drive]]
+part = "pusher"
+rate = 10
+"#
+        );
+        for (name, x, weight) in [("a", 0, 1000), ("b", 12, 2000)] {
+            write!(
+                model,
+                r#"
+[[part]]
+name = "{name}"
+loops = [[[{x}, 0], [{}, 0], [{}, 10], [{x}, 10]]]
+[[load]]
+part = "{name}"
+force = [0, -{weight}]
+"#,
+                x + 10,
+                x + 10
+            )
+            .unwrap();
+        }
+        let (_, record) = run(&read(&model), 1.5, 0.15);
+        assert_eq!(record.status, Status::Done, "{:?}", record.reason);
+        for sample in &record.samples {
+            let pushed = match sample.t {
+                t if t > 0.41 => 3000.0,
+                t if t > 0.21 && t < 0.39 => 1000.0,
+                t if t < 0.19 => 0.0,
+                _ => continue,
+            };
+            let drive = sample.forces.as_ref().unwrap().drives[0].force;
+            let [most, least] =
+                [-1.0, 1.0].map(|s| friction * pushed / (1.0 + s * friction * friction));
+            assert!(
+                (least - 1e-6..=most + 1e-6).contains(&drive),
+                "{drive} at {}",
+                sample.t
+            );
+        }
+    }
+}
