@@ -59,7 +59,7 @@ describe("a drawing on the page in a browser", { skip }, () => {
 
   /** Waits until the page shows a model of a name, drawn. */
   async function shows(page: Page, name: string): Promise<void> {
-    await page.waitForFunction((name) => window.cspace !== undefined && document.getElementById("model-name")?.textContent === name, { timeout: PATIENCE }, name);
+    await page.waitForFunction((name) => "pair" in (window.cspace ?? {}) && document.getElementById("model-name")?.textContent === name, { timeout: PATIENCE }, name);
     await drawn(page);
   }
 

@@ -179,11 +179,15 @@ describe("the page that tells", { skip }, () => {
       suite.opened = await open(suite.browser, server.address);
       const { page } = suite.opened;
       await press(page, "Edit");
+      await settled(page);
       const places = (kind: string): Promise<[number, number][]> =>
         page.$$eval(`#parts .handle.${kind}`, (all) => all.map((e) => { const r = e.getBoundingClientRect(); return [r.x + r.width / 2, r.y + r.height / 2] as [number, number]; }));
       const before = await places("vertex");
-      const [a, b] = [before[0], before[1]];
-      assert.ok(a && b);
+      // The ends of a straight side whose handles are apart.
+      const sides = before.slice(1).map((b, i) => [before[i]!, b] as const);
+      const side = sides.find(([a, b]) => Math.abs(a[1] - b[1]) < 1 && Math.abs(a[0] - b[0]) > 60);
+      assert.ok(side);
+      const [a, b] = side;
       await page.mouse.click((2 * a[0] + b[0]) / 3, (2 * a[1] + b[1]) / 3, { count: 2 });
       await settled(page);
       assert.equal((await places("vertex")).length, before.length + 1);
