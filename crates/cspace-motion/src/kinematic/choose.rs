@@ -128,19 +128,25 @@ fn rubbing<'a>(
         Some(Choice::On { flow, next })
     };
     let mut possible: Vec<Vec<Bound>> = Vec::new();
-    let rest = core::iter::once_with(|| combinations(pairs, &groups)).flatten();
-    let let_go = closing.sets().flat_map(|set| let_go(&set));
-    for held in closing
-        .sets()
-        .chain(rest)
-        .chain(let_go)
-        .map(|set| [&set, brakes].concat())
-    {
-        if is_possible(&held) {
-            if let Some(choice) = goes_on(&held, TRIALS[0]) {
-                return choice;
-            }
+    let mut leads_on = |set: &[Bound]| {
+        let held = [set, brakes].concat();
+        let choice = is_possible(&held).then(|| goes_on(&held, TRIALS[0]))?;
+        if choice.is_none() {
             possible.push(held);
+        }
+        choice
+    };
+    let mut solved: Vec<Vec<Bound>> = Vec::new();
+    for set in closing.sets() {
+        if let Some(choice) = leads_on(&set) {
+            return choice;
+        }
+        solved.push(set);
+    }
+    let rest = combinations(pairs, &groups).into_iter();
+    for set in rest.chain(solved.iter().flat_map(|set| let_go(set))) {
+        if let Some(choice) = leads_on(&set) {
+            return choice;
         }
     }
     for scale in &TRIALS[1..] {

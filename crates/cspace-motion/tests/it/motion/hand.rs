@@ -7,7 +7,7 @@ use cspace_model::{Mechanism, PartEntry, PartPosition};
 use cspace_motion::{Dragged, Ending, Hand, PartCoordinates, SimulateError, Target, What};
 use cspace_oracle::Oracle;
 
-use crate::motion::helpers::{mechanism, model, near, polygon, read};
+use crate::motion::helpers::{keyed, mechanism, model, near, read};
 
 /// Checks that no two parts overlap by more than the resolution.
 #[track_caller]
@@ -245,24 +245,6 @@ fn parts_that_overlap_are_pulled_apart() {
     let dragged = hand.drag(1, Target::Axis(0.0)).unwrap();
     assert_eq!(dragged.ending, Ending::Stopped);
     near("where it is stopped", hand.state()[0], -0.5, 1e-9);
-}
-
-/// A key that fills its slot, drawn in it; its sides are 5 from the middle.
-fn keyed() -> Mechanism {
-    let slot = [
-        (-9.0, -9.0),
-        (9.0, -9.0),
-        (9.0, 0.0),
-        (5.0, 0.0),
-        (5.0, -5.0),
-        (-5.0, -5.0),
-        (-5.0, 0.0),
-        (-9.0, 0.0),
-    ];
-    mechanism(vec![
-        PartEntry::fixed(polygon("slot", &slot)),
-        PartEntry::planar(Part::rectangle("key", (0.0, 0.0), 10.0, 10.0).unwrap()),
-    ])
 }
 
 /// It does not overlap: it goes out of the slot and back, and no other way.

@@ -21,6 +21,24 @@ pub(crate) fn driven(mut mechanism: Mechanism, part: usize, rate: f64) -> Mechan
     mechanism
 }
 
+/// A key that fills its slot, drawn in it; its sides are 5 from the middle.
+pub(crate) fn keyed() -> Mechanism {
+    let slot = [
+        (-9.0, -9.0),
+        (9.0, -9.0),
+        (9.0, 0.0),
+        (5.0, 0.0),
+        (5.0, -5.0),
+        (-5.0, -5.0),
+        (-5.0, 0.0),
+        (-9.0, 0.0),
+    ];
+    mechanism(vec![
+        PartEntry::fixed(polygon("slot", &slot)),
+        PartEntry::planar(Part::rectangle("key", (0.0, 0.0), 10.0, 10.0).unwrap()),
+    ])
+}
+
 /// Runs it, and lets brute force judge every sample.
 pub(crate) fn run(mechanism: &Mechanism, time: f64, every: f64) -> (Simulation, Record) {
     let simulation = Simulation::new(mechanism).unwrap();

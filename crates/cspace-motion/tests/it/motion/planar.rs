@@ -7,7 +7,9 @@ use cspace::{Part, Point, Vector, Vertex};
 use cspace_model::{JointEntry, Load, LoadKind, Mass, Mechanism, PartEntry, PartPosition};
 use cspace_motion::{EventKind, Settings, SimulateError, Simulation, Status};
 
-use crate::motion::helpers::{at, driven, judge, mechanism, near, polygon, run, thrown_model};
+use crate::motion::helpers::{
+    at, driven, judge, keyed, mechanism, near, polygon, run, thrown_model,
+};
 
 /// A rod is pushed beside its middle: v = u ρ²/(ρ² + b²) and ω = u b/(ρ² + b²), ρ its radius of gyration.
 #[test]
@@ -219,20 +221,7 @@ fn exact_fits_move() {
     let error = Simulation::new(&slider(1e-6)).unwrap_err();
     assert!(matches!(&error, SimulateError::Overlap { .. }), "{error}");
 
-    let slot = [
-        (-9.0, -9.0),
-        (9.0, -9.0),
-        (9.0, 0.0),
-        (5.0, 0.0),
-        (5.0, -5.0),
-        (-5.0, -5.0),
-        (-5.0, 0.0),
-        (-9.0, 0.0),
-    ];
-    let mut keyed = mechanism(vec![
-        PartEntry::fixed(Part::polygon("slot", &slot).unwrap()),
-        PartEntry::planar(Part::rectangle("key", (0.0, 0.0), 10.0, 10.0).unwrap()),
-    ]);
+    let mut keyed = keyed();
     let force = |x: f64, y: f64| LoadKind::Force {
         force: Vector::new(x, y),
         at: None,
