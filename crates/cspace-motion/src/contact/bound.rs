@@ -1,5 +1,7 @@
 //! Bounds of a motion, functions that must not become negative: contact functions, and distances to the ends of ranges.
 
+use cspace::Point;
+
 use crate::pairs::{Pairs, Touch};
 use crate::system::{PartCoordinates, Row, System};
 
@@ -37,6 +39,14 @@ impl Bound {
             (Self::Contact(a), Self::Contact(b)) => a.pair == b.pair && a.features == b.features,
             (Self::Brake { part: a, .. }, Self::Brake { part: b, .. }) => a == b,
             _ => self == other,
+        }
+    }
+
+    /// Place of a contact, in the assembly's frame; `None` of other bounds.
+    pub(crate) fn place(&self, system: &System, pairs: &Pairs, q: &[f64]) -> Option<Point> {
+        match self {
+            Self::Contact(touch) => pairs.list()[touch.pair].point(touch, system, q).ok(),
+            Self::Limit { .. } | Self::Brake { .. } => None,
         }
     }
 

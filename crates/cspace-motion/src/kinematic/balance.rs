@@ -238,12 +238,9 @@ impl Closed<'_> {
     pub(super) fn forces(&self, local: &Local<'_>, rates: &[f64]) -> Option<Forces> {
         let balance = self.balance(local)?;
         let (joints, bounds) = balance.multipliers.split_at(balance.joints);
-        let place = |bound: &Bound| match bound {
-            Bound::Contact(touch) => {
-                let at = self.pairs.list()[touch.pair].point(touch, self.system, self.q);
-                at.ok().filter(|p| p.is_finite()).map(|p| [p.x, p.y])
-            }
-            Bound::Limit { .. } | Bound::Brake { .. } => None,
+        let place = |bound: &Bound| {
+            let at = bound.place(self.system, self.pairs, self.q);
+            at.filter(|p| p.is_finite()).map(|p| [p.x, p.y])
         };
         let tangential = tangential(self.pairs, self.bounds, bounds);
         let contacts = self.bounds.iter().zip(bounds.iter().zip(tangential));

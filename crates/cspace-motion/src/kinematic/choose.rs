@@ -99,7 +99,7 @@ fn rubbing<'a>(
         let (Bound::Contact(s), Bound::Contact(t)) = (a, b) else {
             return false;
         };
-        let places = [a, b].map(|bound| place(system, pairs, bound, q));
+        let places = [a, b].map(|bound| bound.place(system, pairs, q));
         let close = |(p, r): (Point, Point)| p.distance(r) <= near;
         s.pair == t.pair && places[0].zip(places[1]).is_some_and(close) && {
             let [a, b] = [a, b].map(|bound| local.reduced(&bound.function(system, pairs, q)).0);
@@ -202,14 +202,6 @@ fn is_possible(
     }
 }
 
-/// Place of a contact, in the assembly's frame; `None` of other bounds.
-fn place(system: &System, pairs: &Pairs, bound: &Bound, q: &[f64]) -> Option<Point> {
-    match bound {
-        Bound::Contact(touch) => pairs.list()[touch.pair].point(touch, system, q).ok(),
-        Bound::Limit { .. } | Bound::Brake { .. } => None,
-    }
-}
-
 fn among<'a>(
     system: &'a System,
     pairs: &'a Pairs,
@@ -233,7 +225,7 @@ fn among<'a>(
         })
         .collect();
     let places: Vec<Option<Point>> = (contacts.iter())
-        .map(|&i| place(system, pairs, &bounds[i], q))
+        .map(|&i| bounds[i].place(system, pairs, q))
         .collect();
     let near = SAME_PLACE * system.size();
     let has_other = |k: usize, left_out: &[usize]| {

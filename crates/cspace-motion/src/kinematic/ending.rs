@@ -59,14 +59,8 @@ impl Run<'_> {
             })
             .collect();
         for (bound, _) in &obstacles {
-            let at = match bound {
-                Bound::Contact(touch) => {
-                    let pair = &self.pairs.list()[touch.pair];
-                    let at = pair.point(touch, self.system, q).ok();
-                    at.filter(|p| p.is_finite()).map(|p| [p.x, p.y])
-                }
-                Bound::Limit { .. } | Bound::Brake { .. } => None,
-            };
+            let at = bound.place(self.system, self.pairs, q);
+            let at = at.filter(|p| p.is_finite()).map(|p| [p.x, p.y]);
             self.record.events.push(Event::new(
                 time,
                 EventKind::Jam,

@@ -34,10 +34,7 @@ impl Told {
         next: &[f64],
     ) -> Vec<Event> {
         let (system, q) = (flow.system, &flow.q);
-        let place = |bound: &Bound| match bound {
-            Bound::Contact(touch) => pairs.list()[touch.pair].point(touch, system, q).ok(),
-            Bound::Limit { .. } | Bound::Brake { .. } => None,
-        };
+        let place = |bound: &Bound| bound.place(system, pairs, q);
         let opens = STAYS * system.size();
         let stays = |bound: &Bound| {
             let value = |q: &[f64]| bound.function(system, pairs, q).value;
