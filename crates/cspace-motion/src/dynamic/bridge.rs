@@ -45,7 +45,7 @@ impl<W: World + ?Sized> Run<'_, W> {
         observer: &mut dyn Observer,
     ) -> bool {
         let left = options.until - self.state.t;
-        let Some(row) = self.bridges.next(self.state.t).filter(|_| left > 0.0) else {
+        let Some(row) = self.bridges.next(self.state.t, left).filter(|_| left > 0.0) else {
             return false;
         };
         let world = self.flow.world;

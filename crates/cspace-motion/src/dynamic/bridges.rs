@@ -4,9 +4,11 @@
 const FARTHER: f64 = 100.0;
 /// There are no more bridges than that in a motion.
 const MOST: usize = 50_000;
+/// Each time that there are so many more, it is asked whether [`MOST`] would reach the end.
+const ASKED: usize = 64;
 
 /// Bridges so far.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub(super) struct Bridges {
     /// Number of all.
     all: usize,
@@ -14,11 +16,23 @@ pub(super) struct Bridges {
     in_a_row: usize,
     /// The time of the last one.
     last: [f64; 2],
+    /// The time at which it was last asked whether they would reach the end.
+    asked: f64,
 }
 
 impl Bridges {
-    /// Begins a bridge at a time; returns how many there are before it in its row. `None` if there are too many.
-    pub(super) fn next(&mut self, t: f64) -> Option<usize> {
+    pub(super) fn from(t: f64) -> Self {
+        Self {
+            all: 0,
+            in_a_row: 0,
+            last: [t, t],
+            asked: t,
+        }
+    }
+
+    /// Begins a bridge at a time, with some time left; returns how many there are before it in its row. `None` if there are too many, or
+    /// would be.
+    pub(super) fn next(&mut self, t: f64, left: f64) -> Option<usize> {
         let [begin, end] = self.last;
         if t > end + FARTHER * (end - begin) {
             self.in_a_row = 0;
@@ -26,7 +40,12 @@ impl Bridges {
         let before = self.in_a_row;
         self.in_a_row += 1;
         self.all += 1;
-        (self.all <= MOST).then_some(before)
+        let mut reach = true;
+        if self.all.is_multiple_of(ASKED) {
+            reach = (t - self.asked) * ((MOST - self.all.min(MOST)) / ASKED) as f64 >= left;
+            self.asked = t;
+        }
+        reach.then_some(before)
     }
 
     /// Ends the bridge.

@@ -112,6 +112,7 @@ pub fn run_through<W: World + ?Sized>(
         fastest: 0.0,
         span: options.until - start.t,
         first: start.clone(),
+        bridges: Bridges::from(start.t),
         state: start,
         bearings: Vec::new(),
         looked: Looked::default(),
@@ -123,7 +124,6 @@ pub fn run_through<W: World + ?Sized>(
         work: Work::default(),
         is_led: false,
         strict: options.strict,
-        bridges: Bridges::default(),
         fold: None,
     };
     let ended = run
@@ -209,10 +209,11 @@ impl<W: World + ?Sized> Run<'_, W> {
             if !observer.goes_on(self.state.t) {
                 return Err(Ended::Interrupted);
             }
-            // Without contacts a pair has left its space, or joints cannot hold.
-            let leads_on = contacts
-                .first()
-                .is_some_and(|&i| self.bridge(i, options, observer));
+            // Where nothing touches, a pair has left its space, or joints cannot hold.
+            let closed = || self.flow.world.closed(self.state.t, &self.state.q);
+            let contact = contacts.first().copied();
+            let contact = contact.or_else(|| closed().first().copied());
+            let leads_on = contact.is_some_and(|i| self.bridge(i, options, observer));
             if !leads_on {
                 return Err(Ended::Stuck { contacts });
             }

@@ -14,12 +14,12 @@
 use crate::contact::{Bound, brakes, named};
 use crate::forces::{drive_force, joint_forces};
 use crate::linear::{Pushing, Rows, add_scaled, dot, length};
-use crate::pairs::Pairs;
+use crate::pairs::{Grip, Pairs};
 use crate::record::{ContactForce, Forces};
 use crate::system::{Row, System};
 
 use super::friction::tangential;
-use super::holding::Holding;
+use super::holding::{Holding, friction, grip};
 use super::modes::{Mode, modes};
 use super::velocity::{Held, Local, Nearest};
 
@@ -289,6 +289,17 @@ impl Balance {
             || !self.is_stable
             || (self.modes.iter())
                 .any(|mode| !self.is_stiff(mode) && mode.force.abs() > UNLOADED * self.total)
+    }
+
+    /// Whether the forces of bounds that stick are within their cones of friction.
+    pub(super) fn is_within(&self, closed: &Closed<'_>) -> bool {
+        let bounds = &self.multipliers[self.joints..];
+        let sideways = tangential(closed.pairs, closed.bounds, bounds);
+        let each = closed.bounds.iter().zip(bounds).zip(sideways);
+        each.filter(|((bound, _), _)| grip(bound) == Grip::Sticks)
+            .all(|((bound, normal), along)| {
+                along.abs() <= friction(closed.pairs, bound) * normal + UNLOADED * self.total
+            })
     }
 
     /// Displacement to the balance, in y: Newton's step.

@@ -154,22 +154,45 @@ fn rubbing<'a>(
             return choice;
         }
     }
-    // Drives cannot go on if forces within the cones of friction withstand them, however large they have to be.
+    match withstood(system, pairs, local, bounds, q) {
+        Some(obstacles) => Choice::Jammed(obstacles),
+        None => Choice::Undetermined,
+    }
+}
+
+/// Bounds of which forces within the cones of friction withstand the drives, however large they have to be, each with its multiplier.
+fn withstood(
+    system: &System,
+    pairs: &Pairs,
+    local: &Local<'_>,
+    bounds: &[Bound],
+    q: &[f64],
+) -> Option<Vec<(Bound, f64)>> {
     let cones = cones(system, pairs, bounds, q);
     let rows: Vec<Row> = cones.iter().map(|cone| cone.1).collect();
-    match local.nearest(&rows) {
-        Nearest::None { multipliers } => {
-            let mut obstacles: Vec<(Bound, f64)> = Vec::new();
-            for ((bound, _), m) in cones.iter().zip(multipliers).filter(|(_, m)| *m > 0.0) {
-                match obstacles.iter_mut().find(|o| o.0.is_same(bound)) {
-                    Some(obstacle) => obstacle.1 += m,
-                    None => obstacles.push((*bound, m)),
-                }
-            }
-            Choice::Jammed(obstacles)
+    let Nearest::None { multipliers } = local.nearest(&rows) else {
+        return None;
+    };
+    let mut obstacles: Vec<(Bound, f64)> = Vec::new();
+    for ((bound, _), m) in cones.iter().zip(multipliers).filter(|(_, m)| *m > 0.0) {
+        match obstacles.iter_mut().find(|o| o.0.is_same(bound)) {
+            Some(obstacle) => obstacle.1 += m,
+            None => obstacles.push((*bound, m)),
         }
-        Nearest::Held { .. } => Choice::Undetermined,
     }
+    Some(obstacles)
+}
+
+/// As [`withstood`], where the motion makes no progress in time: each step closes what the one before has left out.
+pub(crate) fn wedged(
+    system: &System,
+    pairs: &Pairs,
+    bounds: &[Bound],
+    time: f64,
+    q: &[f64],
+) -> Option<Vec<(Bound, f64)>> {
+    let bounds: Vec<Bound> = bounds.iter().filter(|b| !b.is_brake()).copied().collect();
+    withstood(system, pairs, &Local::at(system, q, time)?, &bounds, q)
 }
 
 /// Whether bounds can hold at a configuration: forces are within cones of friction, and balanced if required.

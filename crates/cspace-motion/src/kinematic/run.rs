@@ -6,7 +6,7 @@ use crate::record::{MOST_TRACED, Record, Sample, Status};
 use crate::system::System;
 
 use super::check::{goes_on, step};
-use super::choose::{Choice, choose};
+use super::choose::{Choice, choose, wedged};
 use super::events::Told;
 use super::flow::{Arrived, Flow};
 use super::locate::{add, first_event};
@@ -208,8 +208,15 @@ impl<'a> Run<'a> {
                 state.idle += 1;
             }
             if self.gave_up.is_some() || state.idle > MOST_IDLE {
-                let bounds = touching(self.system, self.pairs, &state.q);
-                return Some(Stop::Undetermined(bounds));
+                let bounds = touching(system, pairs, &state.q);
+                let wedged = match self.gave_up {
+                    None => wedged(system, pairs, &bounds, state.time, &state.q),
+                    Some(_) => None,
+                };
+                return Some(match wedged {
+                    Some(obstacles) => Stop::Jammed(obstacles),
+                    None => Stop::Undetermined(bounds),
+                });
             }
         }
         Some(Stop::Over)

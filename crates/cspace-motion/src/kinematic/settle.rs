@@ -5,7 +5,7 @@
 
 use crate::contact::{Bound, Path, Watch, brakes, touching};
 use crate::linear::dot;
-use crate::pairs::Pairs;
+use crate::pairs::{Grip, Pairs};
 use crate::record::{Event, EventKind, Record, Status, What};
 use crate::system::{Law, System};
 
@@ -129,7 +129,7 @@ impl<'a> Run<'a> {
                     break;
                 }
             }
-            if !slow {
+            if !slow && at >= later {
                 break;
             }
         }
@@ -216,11 +216,15 @@ impl<'a> Run<'a> {
         let Some(local) = Local::at(self.system, q, time) else {
             return Vec::new();
         };
-        let bounds = touching(self.system, self.pairs, q);
-        // Friction holds on edges, too.
-        if bounds.iter().any(|b| friction(self.pairs, b) > 0.0) {
-            return Vec::new();
-        }
+        // What friction holds on an edge does not slide off, but may roll off.
+        let sticks = |bound: Bound| match bound {
+            Bound::Contact(touch) if friction(self.pairs, &bound) > 0.0 => {
+                Bound::Contact(touch.with(Grip::Sticks))
+            }
+            bound => bound,
+        };
+        let bounds = touching(self.system, self.pairs, q).into_iter();
+        let bounds: Vec<Bound> = bounds.map(sticks).collect();
         let brakes = brakes(self.system, q);
         let without = (0..bounds.len()).map(|left_out| {
             let rest = bounds.iter().enumerate().filter(|(i, _)| *i != left_out);
@@ -252,7 +256,8 @@ impl<'a> Run<'a> {
             bounds: &held,
             ..touching
         };
-        let modes = closed.balance(local)?.modes;
+        let balance = closed.balance(local).filter(|b| b.is_within(&closed))?;
+        let modes = balance.modes;
         let softest = modes
             .iter()
             .min_by(|a, b| a.stiffness.total_cmp(&b.stiffness))?;

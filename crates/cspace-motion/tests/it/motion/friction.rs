@@ -452,15 +452,23 @@ fn a_sleeve_hangs_on_its_pole_by_friction() {
 }
 
 /// A drawer of depth L in its cabinet that is pushed beside its middle by e touches at two points, and jams if and only if these are less
-/// than 2 μ e apart along it. Beyond that it may also be held by pressing the two against each other, which nothing does: it goes home.
+/// than 2 μ e apart along it, whether a load or a driven finger pushes it. Beyond that it may also be held by pressing the two against each
+/// other, which nothing does: it goes home.
 #[test]
 fn a_drawer_goes_home_where_it_can() {
     let (friction, beside) = (0.1, 25.0);
-    let mut jams = 0;
-    for depth in [4.0, 4.5, 5.0, 5.25, 5.5, 6.0, 6.5, 7.5, 10.0] {
-        let (_, record) = run(
-            &read(&format!(
-                r#"
+    let load = format!("[[load]]\npart = \"drawer\"\nforce = [0, -10000]\nat = [{beside}, 340]\n");
+    let finger = format!(
+        "[[part]]\nname = \"finger\"\nmotion = {{ type = \"prismatic\", direction = [0, -1] }}\nloops = [{{ circle = 3, at = [{beside}, 353] }}]\n\
+         [[drive]]\npart = \"finger\"\nrate = 310\n[[pair]]\nfixed = \"cabinet\"\nmoving = \"drawer\"\n\
+         [[pair]]\nfixed = \"finger\"\nmoving = \"drawer\"\nfriction = 0\n"
+    );
+    for pushed in [&load, &finger] {
+        let mut jams = 0;
+        for depth in [4.0, 4.5, 5.0, 5.25, 5.5, 6.0, 6.5, 7.5, 10.0] {
+            let (_, record) = run(
+                &read(&format!(
+                    r#"
 friction = {friction}
 [[part]]
 name = "cabinet"
@@ -469,26 +477,93 @@ loops = [[[50.0005, 0], [70, 0], [70, -320], [-70, -320], [-70, 0], [-50.0005, 0
 [[part]]
 name = "drawer"
 loops = [[[-50, -{depth:?}], [50, -{depth:?}], [50, 350], [-50, 350]]]
-[[load]]
-part = "drawer"
-force = [0, -10000]
-at = [{beside}, 340]
-"#
-            )),
-            1.0,
-            0.5,
-        );
-        assert_eq!(record.status, Status::Done, "{depth}: {:?}", record.reason);
-        let down = -record.samples.last().unwrap().coordinates[1];
-        let apart = depth + down;
-        if apart < 2.0 * friction * beside {
-            jams += 1;
-        } else {
-            // The end of the cabinet.
-            near(&format!("{depth}"), apart, 300.0, 1e-2);
+{pushed}"#
+                )),
+                1.0,
+                0.5,
+            );
+            let down = -record.samples.last().unwrap().coordinates[1];
+            let apart = depth + down;
+            let jammed = apart < 2.0 * friction * beside;
+            // What a load pushes comes to rest where it jams; a finger cannot go on, not even at the end of the cabinet.
+            let status = match *pushed == load {
+                true => Status::Done,
+                false => Status::Jammed,
+            };
+            assert_eq!(record.status, status, "{depth}: {:?}", record.reason);
+            if jammed {
+                jams += 1;
+                assert_eq!(record.obstacles.len(), if *pushed == load { 0 } else { 3 });
+            } else {
+                // The end of the cabinet.
+                near(&format!("{depth}"), apart, 300.0, 1e-2);
+            }
         }
+        assert_eq!(jams, 2, "{pushed}");
     }
-    assert_eq!(jams, 2);
+}
+
+/// A tappet with a round foot on an eccentric stands upright in its guide, under a spring that pushes it down from above: it falls to a wall
+/// of the guide, rolling on the cam, and is lifted by it. The middle of the foot is as far from that of the cam as both radii together.
+#[test]
+fn a_tappet_that_stands_upright_rolls_off_and_is_lifted() {
+    let (_, record) = run(
+        &read(
+            r#"
+friction = 0.12
+[[part]]
+name = "guide"
+motion = { type = "fixed" }
+loops = [[[-20, 30], [-5.02, 30], [-5.02, 50], [-20, 50]], [[5.02, 30], [20, 30], [20, 50], [5.02, 50]]]
+[[part]]
+name = "cam"
+motion = { type = "revolute", center = [0, 0] }
+loops = [{ circle = 15, at = [0, 4] }]
+[[part]]
+name = "tappet"
+loops = [[[-5, 25], { arc_to = [5, 25], radius = 5 }, [5, 70], [-5, 70]]]
+[[spring]]
+parts = ["tappet"]
+at = [[0, 70], [0, 100]]
+stiffness = 2000
+length = 50
+[[drive]]
+part = "cam"
+rate = "360deg"
+"#,
+        ),
+        1.0,
+        0.01,
+    );
+    assert_eq!(record.status, Status::Done, "{:?}", record.reason);
+    for sample in &record.samples {
+        let [turn, x, y, tilt] = sample.coordinates[..] else {
+            panic!("four coordinates")
+        };
+        let foot = [x - 25.0 * tilt.sin(), y + 25.0 * tilt.cos()];
+        let cam = [-4.0 * turn.sin(), 4.0 * turn.cos()];
+        let apart = f64::hypot(foot[0] - cam[0], foot[1] - cam[1]);
+        near(&format!("{}", sample.t), apart, 20.0, 1e-9);
+        // Upright it stands free at the start only, and then flat on a wall. Its clearance lets it tilt by 0.04 over the 20 of the guide.
+        let leans = (1e-5..2.1e-3).contains(&tilt.abs()) || (x.abs() - 0.02).abs() < 1e-9;
+        assert!(sample.t == 0.0 || leans, "{tilt} at {}", sample.t);
+    }
+}
+
+/// The ratchet with friction at all contacts: the tooth that holds the pawl lets it go where its round is steeper than the angle of friction.
+/// Friction changes when that is, and not where a turn of the driver takes the parts.
+#[test]
+fn a_ratchet_with_friction_goes_through_its_cycle() {
+    let ends = [0.0, 0.1].map(|friction| {
+        let mut ratchet = model("ratchet_mechanism");
+        ratchet.dynamics.friction = friction;
+        let (_, record) = run(&ratchet, 1.0, 0.01);
+        assert_eq!(record.status, Status::Done, "{:?}", record.reason);
+        record.samples.last().unwrap().coordinates.clone()
+    });
+    for (without, with) in ends[0].iter().zip(&ends[1]) {
+        near("after a turn", *with, *without, 1e-9);
+    }
 }
 
 /// A strike comes down with its round on the slanted face of a bolt, passes its tip, and lets it spring out below: the bolt gives way if and
