@@ -5,6 +5,8 @@ const LEFT: f64 = 1e-10;
 /// The series is also closed when the displacement between impacts is shorter than this share of the size: rounding
 /// leaves little of it.
 const WAY: f64 = 1e-12;
+/// And its remaining duration is no longer than this multiple of its last interval: a limit that is farther off is not told by rounding.
+const FAR: f64 = 64.0;
 /// Intervals are compared with those this many impacts before: two feet of a block strike in turn.
 const TURNS: usize = 2;
 
@@ -53,8 +55,31 @@ impl Impacts {
         // Each of those that strike in turn has its own intervals.
         let falls = (n - TURNS..n).all(|i| d[i] < d[i - TURNS]);
         let left = last * ratio / (1.0 - ratio);
-        let is_over = left < LEFT * span || way * last < WAY;
+        let is_over = left < LEFT * span || (way * last < WAY && left < FAR * last);
         // Contacts that do not separate do not strike again.
         (way > 0.0 && ratio < 1.0 && first > last && falls && is_over).then_some(left)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Impacts;
+
+    /// The rest of a series whose intervals begin with 1e-8 and fall by a ratio, in 1 s, between which contacts hardly open.
+    fn rest(ratio: f64) -> Option<f64> {
+        let (mut impacts, mut t, mut interval) = (Impacts::default(), 0.0, 1e-8);
+        for _ in 0..9 {
+            impacts.add(t);
+            t += interval;
+            interval *= ratio;
+        }
+        impacts.rest(1.0, 1e-6)
+    }
+
+    #[test]
+    fn a_series_is_closed_only_near_its_limit() {
+        assert!(rest(0.5).is_some_and(|left| left < 1e-9));
+        assert!(rest(0.9).is_some_and(|left| left < 1e-6));
+        assert_eq!(rest(1.0 - 1e-7), None);
     }
 }

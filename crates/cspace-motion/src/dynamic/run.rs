@@ -288,6 +288,11 @@ impl<W: World + ?Sized> Run<'_, W> {
             if self.state.t + 1e-15 * options.until.abs() >= options.until {
                 self.state.t = options.until;
             }
+            if let Err(ended) = self.show(&from, self.state.t, observer) {
+                // The step leads over what its contacts do not allow.
+                self.state = from;
+                return Err(ended);
+            }
             let bearing: Vec<usize> = self.bearings.iter().map(|b| b.0).collect();
             self.flow.world.taken(Step {
                 from: &from,
@@ -299,7 +304,6 @@ impl<W: World + ?Sized> Run<'_, W> {
             self.work.friction += stepped.work[1];
             longest = stepped.next.min(options.longest);
             self.look();
-            self.show(&from, self.state.t, observer)?;
             observer.step(&self.state);
             if stepped.events.is_empty() && !stepped.met {
                 if !self.looked.steady.is_empty() {

@@ -22,8 +22,10 @@ use std::collections::HashMap;
 
 use nalgebra::{DMatrix, DVector};
 
+use super::flow::ZERO;
 use super::motion::{Ended, Motion, Observer, Work};
 use super::world::{Acting, State, Touch, World};
+use crate::complementarity::{Bearing, Problem};
 
 use joined::{Joined, held};
 use story::Story;
@@ -281,7 +283,9 @@ impl<W: World + ?Sized> Stepping<'_, W> {
             friction: &friction,
             alone: &alone,
         };
-        let impulses = (problem.solved(guess)).ok_or_else(|| Ended::Jammed {
+        let solved = problem.solved(guess);
+        let solved = solved.or_else(|| self.pivoted(active, joined, v));
+        let impulses = solved.ok_or_else(|| Ended::Jammed {
             contacts: active.iter().map(|a| a.contact).collect(),
         })?;
         *v += moved * &impulses;
@@ -290,6 +294,40 @@ impl<W: World + ?Sized> Stepping<'_, W> {
         let all: Vec<_> = active.iter().enumerate().map(|(k, a)| of(k, a)).collect();
         self.known.extend(all.iter().map(|&(i, n, t)| (i, [n, t])));
         Ok(all)
+    }
+
+    /// Impulses as [`Impulses::solved`] has them, by pivots: sweeps hardly converge where many contacts share a load.
+    fn pivoted(
+        &self,
+        active: &[Active],
+        joined: &Joined,
+        v: &DVector<f64>,
+    ) -> Option<DVector<f64>> {
+        let bearing = |a: &Active| {
+            let surface = self.world.surface(a.contact);
+            Bearing {
+                normal: a.touch.normal.clone(),
+                tangent: a.touch.tangent.clone(),
+                b: a.touch.drift[0] + surface.restitution * a.opening.min(0.0),
+                c: a.touch.drift[1],
+                friction: surface.friction,
+                slides: None,
+                lets_go: false,
+            }
+        };
+        let mass = self.world.mass();
+        let problem = Problem {
+            mass,
+            h: mass * v,
+            joints: joined.joints.rows.clone(),
+            j: joined.joints.rates.clone(),
+            bearings: active.iter().map(bearing).collect(),
+            zero: ZERO,
+        };
+        let solution = problem.solutions().into_iter().next()?;
+        let both = solution.normal.iter().zip(&solution.tangential);
+        let impulses: Vec<f64> = both.flat_map(|(&n, &t)| [n, t]).collect();
+        Some(DVector::from_vec(impulses))
     }
 
     /// Events and energy of a step.
