@@ -35,6 +35,31 @@ impl<W: World + ?Sized> Run<'_, W> {
         Ok(solution.modes.iter().any(|mode| *mode != Mode::Open))
     }
 
+    /// The closed contacts, if forces within their cones of friction withstand the drives, however large they have to be: there is no velocity
+    /// at which neither side of any cone, n ± μ t, closes.
+    pub(super) fn wedged(&self) -> Option<Vec<usize>> {
+        let world = self.flow.world;
+        let closed = world.closed(self.state.t, &self.state.q);
+        let withstands = |set: &Vec<usize>| {
+            let mut problem = self.impulses(set, &|_| (0.0, 0.0));
+            let sides = |(&i, bearing): (&usize, &Bearing)| {
+                let friction = world.surface(i).friction;
+                [friction, -friction].map(|share| Bearing {
+                    normal: &bearing.normal + &bearing.tangent * share,
+                    b: bearing.b + share * bearing.c,
+                    ..bearing.clone()
+                })
+            };
+            problem.bearings = set.iter().zip(&problem.bearings).flat_map(sides).collect();
+            problem.solutions().is_empty()
+        };
+        let mut sets = world.alternatives(&closed, self.state.t, &self.state.q);
+        if sets.is_empty() {
+            sets.push(closed.clone());
+        }
+        (!closed.is_empty() && sets.iter().all(withstands)).then_some(closed)
+    }
+
     /// Complementarity problem of velocities and impulses, with the friction and the restitution of each contact.
     pub(super) fn impulses(
         &self,

@@ -203,9 +203,15 @@ impl<W: World + ?Sized> Run<'_, W> {
         observer.step(&self.state);
         loop {
             let contacts = match self.advance(options, corners, observer) {
-                Err(Ended::Stuck { contacts }) if !options.strict => contacts,
+                Err(Ended::Stuck { contacts }) => contacts,
                 ended => return ended,
             };
+            if let Some(contacts) = self.wedged() {
+                return Err(Ended::Jammed { contacts });
+            }
+            if options.strict {
+                return Err(Ended::Stuck { contacts });
+            }
             if !observer.goes_on(self.state.t) {
                 return Err(Ended::Interrupted);
             }

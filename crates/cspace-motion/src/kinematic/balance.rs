@@ -174,6 +174,7 @@ impl Closed<'_> {
                 add_scaled(&mut found.y, far, &mode.along);
             }
             found.rates = local.rates(&found.y);
+            found.fastest = found.fastest.max(self.system.speed(&found.rates));
             found.speed = found.speed.max(length(&found.y));
         }
         let slips = !self.released().is_empty();

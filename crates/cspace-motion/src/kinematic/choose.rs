@@ -30,6 +30,9 @@ const MOST_FARTHER: f64 = 10.0;
 /// Factor by which the duration of a trial that is too long is shortened, repeatedly down to rounding.
 const SHORTER: f64 = 0.1;
 const MOST_SHORTER: i32 = 16;
+/// Steps of a trial whose first is too short to tell, each longer than the one before by this factor, if its error allows it.
+const MOST_STEPS: usize = 1000;
+const LONGER: f64 = 1.5;
 /// A contact that pulls by more than this share of the speed is not tried.
 const ROUGHLY: f64 = 1e-6;
 
@@ -353,10 +356,14 @@ fn tries<'a>(
     let by_speed = far / system.speed(&flow.velocity.rates);
     let shorter = (0..MOST_SHORTER).map(|k| SHORTER.powi(k));
     let (h, to) = if by_speed <= longest {
-        shorter.map(|s| s * by_speed).find_map(trial)
+        shorter.clone().map(|s| s * by_speed).find_map(trial)
     } else {
         // A motion that begins at rest cannot be judged by its speed, nor by where it comes to: it may come back.
-        let longer = shorter.rev().map(|s| trial(s * longest)).map_while(|t| t);
+        let longer = shorter
+            .clone()
+            .rev()
+            .map(|s| trial(s * longest))
+            .map_while(|t| t);
         let mut last = None;
         for (h, to) in longer {
             let is_far = moved(&to) >= SHORTER;
@@ -367,6 +374,24 @@ fn tries<'a>(
         }
         last
     }?;
-    let leads_on = goes_on(&mut Watch::new(system, pairs), &flow, h, &to);
-    leads_on.then_some((flow, to.q))
+    let mut watch = Watch::new(system, pairs);
+    let (mut at, mut h, mut to) = (flow.clone(), h, to);
+    for _ in 0..MOST_STEPS {
+        if !goes_on(&mut watch, &at, h, &to) {
+            return None;
+        }
+        // An unstable balance is left so slowly that one step of the allowed error is too short to tell.
+        if moved(&to) >= SHORTER || by_speed > longest {
+            break;
+        }
+        at.time += h;
+        (at.q, at.velocity) = (to.q, to.velocity);
+        h *= LONGER;
+        to = shorter.clone().find_map(|s| {
+            let arrived = at.after(s * h).filter(|to| to.excess(system) <= 1.0)?;
+            h *= s;
+            Some(arrived)
+        })?;
+    }
+    Some((flow, to.q))
 }

@@ -27,7 +27,6 @@ pub(super) fn agrees(
 ) -> bool {
     let mut sticks = held.len()..;
     let force = |row: usize| velocity.pushes[row] / velocity.lengths[row];
-    let fastest = system.speed(&velocity.rates);
     held.iter()
         .enumerate()
         .all(|(i, bound)| match sliding(system, pairs, bound, q) {
@@ -39,7 +38,7 @@ pub(super) fn agrees(
             Some((Grip::Slides { forward }, _, rate)) => {
                 let rate = rate.rate(&velocity.rates);
                 let onward = if forward { rate } else { -rate };
-                onward >= -BACKWARDS * fastest
+                onward >= -BACKWARDS * velocity.fastest
             }
             _ => true,
         })

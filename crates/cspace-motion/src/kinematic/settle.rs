@@ -108,12 +108,14 @@ impl<'a> Run<'a> {
             let steady = self.system.settling(at, scale);
             let mut begin = q.to_vec();
             if at > time {
-                // Touching parts are moved along.
-                let held = touching(self.system, self.pairs, q);
+                // Touching parts are moved along: with all contacts closed, or all but one.
                 let room = 1e2 * LATER * self.system.size();
-                if close(&steady, self.pairs, &held, at, &mut begin, room).is_none() {
-                    continue;
-                }
+                let moved = all_but_one(&touching(self.system, self.pairs, q)).find_map(|held| {
+                    let mut q = q.to_vec();
+                    close(&steady, self.pairs, &held, at, &mut q, room).map(|()| q)
+                });
+                let Some(moved) = moved else { continue };
+                begin = moved;
             }
             let starts = core::iter::once(begin.clone()).chain(self.nudged(&steady, at, &begin));
             let mut slow = false;
@@ -226,12 +228,7 @@ impl<'a> Run<'a> {
         let bounds = touching(self.system, self.pairs, q).into_iter();
         let bounds: Vec<Bound> = bounds.map(sticks).collect();
         let brakes = brakes(self.system, q);
-        let without = (0..bounds.len()).map(|left_out| {
-            let rest = bounds.iter().enumerate().filter(|(i, _)| *i != left_out);
-            rest.map(|(_, b)| *b).collect()
-        });
-        let sets = core::iter::once(bounds.clone()).chain(without);
-        let sets = sets.map(|set: Vec<Bound>| [set, brakes.clone()].concat());
+        let sets = all_but_one(&bounds).map(|set| [set, brakes.clone()].concat());
         sets.filter_map(|set| self.nudge(steady, &local, time, q, &set))
             .collect()
     }
@@ -280,4 +277,13 @@ impl<'a> Run<'a> {
             (leads && is_free).then_some(flow.q)
         })
     }
+}
+
+/// All bounds, then all but one each.
+fn all_but_one(bounds: &[Bound]) -> impl Iterator<Item = Vec<Bound>> {
+    let without = (0..bounds.len()).map(|left_out| {
+        let rest = bounds.iter().enumerate().filter(|(i, _)| *i != left_out);
+        rest.map(|(_, b)| *b).collect()
+    });
+    core::iter::once(bounds.to_vec()).chain(without)
 }

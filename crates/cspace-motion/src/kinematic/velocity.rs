@@ -55,6 +55,8 @@ pub(crate) struct Held {
     pub(super) lengths: Vec<f64>,
     /// The speed by the metric.
     pub(crate) speed: f64,
+    /// The speed as a length per second, at least that of the free velocity: what rounding of rates is compared with.
+    pub(super) fastest: f64,
     /// Number of independent directions that are constrained.
     pub(super) rank: usize,
     /// Whether the constraints leave no other velocity.
@@ -222,8 +224,11 @@ impl<'a> Local<'a> {
         let lengths = pushing.lengths()[joints..].to_vec();
         let pushes = lambda[joints..].iter().zip(&lengths).map(|(m, l)| m * l);
         let rank = pushing.rows().rank();
+        let rates = self.rates(&y);
+        let free = self.system.speed(&self.rates(&self.free));
         Some(Held {
-            rates: self.rates(&y),
+            fastest: free.max(self.system.speed(&rates)),
+            rates,
             pushes: pushes.collect(),
             lengths,
             speed: length(&y).max(length(&self.free)),

@@ -1,6 +1,6 @@
 //! Friction where forces balance, against statics.
 
-use cspace_motion::{ContactForce, EventKind, Record, Sample, Status, What};
+use cspace_motion::{ContactForce, EventKind, Record, Sample, Settings, Simulation, Status, What};
 use cspace_oracle::effort;
 
 use crate::motion::helpers::{at, model, near, read, run};
@@ -426,7 +426,7 @@ rate = -1
 /// A sleeve hangs on its pole by friction, and slides off without.
 #[test]
 fn a_sleeve_hangs_on_its_pole_by_friction() {
-    let settings = cspace_motion::Settings {
+    let settings = Settings {
         time: effort(1.0, 2.5),
         every: None,
     };
@@ -440,7 +440,7 @@ fn a_sleeve_hangs_on_its_pole_by_friction() {
                 .iter_mut()
                 .for_each(|p| p.friction = None);
         }
-        cspace_motion::Simulation::new(&mechanism)
+        Simulation::new(&mechanism)
             .unwrap()
             .kinematic(&settings)
             .unwrap()
@@ -668,5 +668,197 @@ table = [[0, 0], [1, -20], [2, 0], [3, -20], [4, 0]]
         // The bar takes the roller along, and the force is counted to the left of the normal, which points up.
         let way = -sample.rates[0].signum();
         near("it rubs", contact.tangential, way * 900.0, 1e-6);
+    }
+}
+
+/// A roller lies on a belt under a ramp that comes down by an angle α along it, in a corner into which the belt drives it and a load pushes
+/// it: by the moments about its middle both contacts bear the same friction, and it locks if and only if tan (α/2) ≤ μ. With masses, too; and
+/// the other way the belt runs.
+#[test]
+fn a_roller_locks_a_belt_within_twice_the_angle_of_friction() {
+    for (friction, degrees) in [
+        (0.1, 2.0),
+        (0.1, 6.0),
+        (0.1, 11.0),
+        (0.1, 11.4),
+        (0.1, 11.5),
+        (0.1, 14.0),
+        (0.3, 30.0),
+        (0.3, 35.0),
+    ] {
+        let angle = f64::to_radians(degrees);
+        let locks = (0.5 * angle).tan() <= friction;
+        let (along, across) = ((angle.cos(), -angle.sin()), (angle.sin(), angle.cos()));
+        let corner = |s: f64, up: f64| {
+            let at = (
+                10.0 * across.0 + s * along.0 + up * across.0,
+                10.0 + 10.0 * across.1 + s * along.1 + up * across.1,
+            );
+            format!("[{:?}, {:?}]", at.0, at.1)
+        };
+        let ramp = [(-60.0, 0.0), (40.0, 0.0), (40.0, 30.0), (-60.0, 30.0)];
+        let ramp = ramp.map(|(s, up)| corner(s, up)).join(", ");
+        for (mass, rate) in [("", 5.0), ("mass = 0.01\n", 5.0), ("", -5.0)] {
+            let mechanism = read(&format!(
+                r#"
+friction = {friction}
+[[part]]
+name = "ramp"
+motion = {{ type = "fixed" }}
+loops = [[{ramp}]]
+[[part]]
+name = "belt"
+motion = {{ type = "prismatic", direction = [1, 0] }}
+loops = [[[-200, -20], [200, -20], [200, 0], [-200, 0]]]
+[[part]]
+name = "roller"
+{mass}loops = [{{ circle = 10, at = [0, 10] }}]
+[[drive]]
+part = "belt"
+rate = {rate:?}
+[[load]]
+part = "roller"
+force = [10, 0]
+[[pair]]
+fixed = "ramp"
+moving = "roller"
+[[pair]]
+fixed = "belt"
+moving = "roller"
+"#
+            ));
+            let record = if mass.is_empty() {
+                run(&mechanism, 1.0, 0.1).1
+            } else {
+                let settings = Settings {
+                    time: 1.0,
+                    every: None,
+                };
+                let simulation = Simulation::new(&mechanism).unwrap();
+                simulation.dynamic(&settings).unwrap()
+            };
+            let status = match locks && rate > 0.0 {
+                true => Status::Jammed,
+                false => Status::Done,
+            };
+            let told = format!("{friction} {degrees} {mass}{rate}: {:?}", record.reason);
+            assert_eq!(record.status, status, "{told}");
+        }
+    }
+}
+
+/// A bolt with a slanted nose has play in its guide, and a spring; a round strike comes up against the slant. Where friction lets it go by,
+/// the spring brings the bolt back to where it was.
+#[test]
+fn a_bolt_with_play_gives_way_and_comes_back() {
+    for friction in [0.0, 0.1, 0.15, 0.2, 0.25] {
+        let (_, record) = run(
+            &read(&format!(
+                r#"
+friction = {friction}
+[[part]]
+name = "bolt"
+loops = [[[-60, -5], [10, -5], [20, 5], [-60, 5]]]
+[[part]]
+name = "top"
+motion = {{ type = "fixed" }}
+loops = [[[-40, 5.05], [0, 5.05], [0, 20], [-40, 20]]]
+[[part]]
+name = "bottom"
+motion = {{ type = "fixed" }}
+loops = [[[-40, -20], [0, -20], [0, -5.05], [-40, -5.05]]]
+[[part]]
+name = "strike"
+motion = {{ type = "prismatic", direction = [0, 1] }}
+loops = [{{ circle = 2, at = [17.414213562373096, -2.414213562373095] }}]
+[[spring]]
+parts = ["bolt"]
+at = [[-60, 0], [-100, 0]]
+stiffness = 500
+length = 50
+[[drive]]
+part = "strike"
+rate = 5
+[[pair]]
+fixed = "top"
+moving = "bolt"
+[[pair]]
+fixed = "bottom"
+moving = "bolt"
+[[pair]]
+fixed = "strike"
+moving = "bolt"
+"#
+            )),
+            2.0,
+            0.05,
+        );
+        assert_eq!(
+            record.status,
+            Status::Done,
+            "{friction}: {:?}",
+            record.reason
+        );
+        let snaps = times(&record, EventKind::Snap);
+        // The strike goes by the tip, which stands 5 above the middle, about when its own middle does.
+        assert!(
+            snaps.iter().any(|t| (1.4..1.8).contains(t)),
+            "{friction}: {snaps:?}"
+        );
+    }
+}
+
+/// A lever under a spring that comes over its middle is pushed up: it snaps to its upper end, and the pusher follows until it meets it there.
+/// Friction changes none of it.
+#[test]
+fn a_toggle_snaps_over_with_friction() {
+    for (pusher, off) in [
+        ("{ circle = 1, at = [8, -12] }", 0.0),
+        ("{ circle = 1, at = [8, -12] }", 0.5),
+        ("[[7, -13], [9, -13], [8, -11]]", 0.0),
+        ("[[7, -13], [9, -13], [8, -11]]", 0.5),
+        ("[[7, -13], [9, -13], [9, -11], [7, -11]]", 0.5),
+    ] {
+        let ends = [0.0, 0.2].map(|friction| {
+            let (_, record) = run(
+                &read(&format!(
+                    r#"
+friction = {friction}
+[[part]]
+name = "lever"
+motion = {{ type = "revolute", center = [0, 0], range = ["-30deg", "30deg"] }}
+loops = [[[0, -1], [10, -1], [10, 1], [0, 1]]]
+start = "-30deg"
+[[part]]
+name = "pusher"
+motion = {{ type = "prismatic", direction = [0, 1] }}
+loops = [{pusher}]
+[[spring]]
+parts = ["lever"]
+at = [[10, 0], [40, {off}]]
+stiffness = 20
+length = 45
+[[drive]]
+part = "pusher"
+rate = 2
+"#
+                )),
+                8.0,
+                0.1,
+            );
+            assert_eq!(
+                record.status,
+                Status::Jammed,
+                "{friction} {pusher} {off}: {:?}",
+                record.reason
+            );
+            let snaps = times(&record, EventKind::Snap);
+            assert!(
+                snaps.len() == 1 && (5.0..5.1).contains(&snaps[0]),
+                "{snaps:?}"
+            );
+            record.until
+        });
+        near(pusher, ends[1], ends[0], 1e-9);
     }
 }
