@@ -137,18 +137,18 @@ export class PlaneView {
       at,
       state.where.classification,
       [blocked, svg("g", {}, ...rooms), ...curvePaths(kernel as never, drawn.curves, shown)],
-      `u ${text(box.x1 - box.x0, kernel.u)}, v ${text(box.y1 - box.y0, kernel.v)}`,
+      `${text(box.x1 - box.x0, kernel.u)} by ${text(box.y1 - box.y0, kernel.v)}`,
     );
   }
 
   #axisText(): string {
     const { pair, scene } = this.#session;
-    const text = (part: number | undefined, name: string) => {
+    const text = (part: number | undefined) => {
       const of = part === undefined ? undefined : scene.parts[part];
       const unit = of?.motion.type === "prismatic" && scene.unit ? ` (${scene.unit})` : "";
-      return `${name}: ${of?.name ?? ""}${unit}`;
+      return `${of?.name ?? ""}${unit}`;
     };
-    return `→ ${text(pair?.fixed, "u")}   ↑ ${text(pair?.moving, "v")}`;
+    return `→ ${text(pair?.fixed)}   ↑ ${text(pair?.moving)}`;
   }
 
   #paint(state: Readonly<State>, kernel: AxesKernel): void {
