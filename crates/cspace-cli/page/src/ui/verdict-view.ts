@@ -77,24 +77,32 @@ export class VerdictView {
     const region = cagedIn(this.#session);
     const named = new Set(Object.values(state.parts[pair.fixed]?.feature_names ?? {}));
     const cage = region === null ? [] : cageOf(kernel, region).filter((feature) => named.has(feature));
-    const pushes = this.#pushed?.kernel === kernel && this.#pushed.at === state.configuration ? this.#pushed.pushes : null;
+    const pushes = this.#isPushed ? (this.#pushed?.pushes ?? null) : null;
     return { pair, kernel, pushes, cage, where: state.where, fixed: name(pair.fixed), moving: name(pair.moving), axes: axes ? [axes.u, axes.v] : null, others: scene.parts.length > 2, whole: state.whole, displaced: state.displaced, unit: scene.unit };
   }
 
   /** What the verdict rests on is lit in the drawing: what cages the part, or what holds the one that turns one way only. */
   #light(told: Told | null): void {
-    const { kernel, axes, store } = this.#session;
+    const { kernel, store } = this.#session;
     const region = cagedIn(this.#session);
     const held = told?.pushes && (heldOneWay(told.pushes.u) ?? heldOneWay(told.pushes.v));
-    const touching = held && axes ? axes.touching(held.push.at) : [];
+    const touching = held ? held.push.touching : [];
     const reason = { fixed: region !== null && kernel ? cageOf(kernel, region) : touching.map((t) => t.fixed), moving: touching.map((t) => t.moving) };
     if (JSON.stringify(reason) !== JSON.stringify(store.state.reason)) store.change({ reason });
+  }
+
+  /** Whether pushes are known here: how far they go depends on where the parts are, and that nothing holds them does not. */
+  get #isPushed(): boolean {
+    const { kernel, state } = this.#session;
+    if (this.#pushed?.kernel !== kernel) return false;
+    const { u, v } = this.#pushed?.pushes ?? { u: null, v: null };
+    return this.#pushed?.at === state.configuration || [u?.back, u?.forth, v?.back, v?.forth].every((push) => !push || push.gone === Infinity);
   }
 
   #tell(): void {
     const { kernel, axes, state } = this.#session;
     const c = state.configuration;
-    if (axes && kernel && isAxes(c) && !state.dragging && !state.playing && (this.#pushed?.kernel !== kernel || this.#pushed.at !== c) && regionOf({ where: state.where, kernel }) !== null) {
+    if (axes && kernel && isAxes(c) && !state.dragging && !state.playing && !this.#isPushed && regionOf({ where: state.where, kernel }) !== null) {
       this.#pushed = { kernel, at: c, pushes: pushesOf(axes, c) };
       this.#draw();
       return;

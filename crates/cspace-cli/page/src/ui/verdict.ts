@@ -85,7 +85,9 @@ function onAxes({ pair, fixed, moving, axes, pushes, unit }: Told, region: numbe
   if (!ranges || !axes) return `${moving} and ${fixed} have room to move.`;
   const oneWay = ([["u", fixed, moving], ["v", moving, fixed]] as const).flatMap(([coordinate, name, other]) => {
     const held = heldOneWay(pushes?.[coordinate] ?? null);
-    return held ? [`${name} turns one way only: ${other} holds it ${held.way} after ${degrees(held.push.gone, DIGITS)}.`] : [];
+    if (!held) return [];
+    const [met, gone] = [held.push.met, held.push.gone].map((angle) => degrees(angle, DIGITS));
+    return [`${name} turns one way only: ${held.way} it meets ${other} after ${met}, and is held${met === gone ? "" : ` after ${gone}`}.`];
   });
   if (oneWay[0] !== undefined) return oneWay[0];
   if (ranges[0].around && ranges[1].around) return together(fixed, moving, pushes);
