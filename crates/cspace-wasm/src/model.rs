@@ -226,7 +226,12 @@ impl Model {
         let begin = seconds();
         let assembly = Assembly::new(&model, None).map_err(fault)?;
         let taken = assembly.take_apart_with(&Silent).map_err(fault)?;
-        json(&Disassembly::of(&model, &assembly, taken, seconds() - begin))
+        json(&Disassembly::of(
+            &model,
+            &assembly,
+            taken,
+            seconds() - begin,
+        ))
     }
 
     /// Answer of `cspace simulate --json` for the edited mechanism, with states between samples: its motion

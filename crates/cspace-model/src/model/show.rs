@@ -66,7 +66,9 @@ pub(super) fn show_to_toml(show: &Show, name: &dyn Fn(usize) -> String) -> Optio
         ("question", show.question.as_deref().map(text)),
         ("view", show.view.and_then(view)),
     ];
-    let given = keys.into_iter().filter_map(|(key, value)| Some(format!("{key} = {}", value?)));
+    let given = keys
+        .into_iter()
+        .filter_map(|(key, value)| Some(format!("{key} = {}", value?)));
     let given: Vec<String> = given.collect();
     (!given.is_empty()).then(|| format!("{{ {} }}", given.join(", ")))
 }
