@@ -307,7 +307,7 @@ all at once. The face is {2 * half:g} across, wide enough for the contact never 
 Drawn with the cam's dwell on top and the tappet 0.1 above it. The tappet can drop by {-low:g}, which is 0.9 more than it ever does:
 the cam stops it first.
 """)
-    m.show("How far does the tappet move while the cam turns?")
+    m.show("How do cam and tappet move?")
     m.part("cam", "Axis at the origin, dwell to +y.", [("profile", cam_profile())], '{ type = "revolute", center = [0, 0] }')
     m.part("tappet", "Stem to +y.", [("outline", tappet)],
            f'{{ type = "prismatic", direction = [0, 1], range = [{low:g}, {high:g}] }}')

@@ -192,9 +192,9 @@ export function openPage({ scene, isOpened }: Shown, worker: string): Promise<vo
     if (editor) keepDraft(byId("side"), session, editor);
     await session.select(store.state.pair, address.configuration ?? null);
     // What is edited may come apart in another order: it is told of the model as it is opened.
-    const tellOrder = (text: string) => edits() === before && store.change({ order: orderOf(JSON.parse(text) as Json) });
-    const before = edits();
-    if (isAssembly(scene)) workshop?.disassemble(before).then(tellOrder, () => {});
+    const { parts } = store.state;
+    const tellOrder = (text: string) => parts === store.state.parts && store.change({ order: orderOf(JSON.parse(text) as Json) });
+    if (isAssembly(scene)) workshop?.disassemble(edits()).then(tellOrder, () => {});
     // Parts that are not where they are drawn are shown whole before the surface is built.
     partsView.fit();
   };

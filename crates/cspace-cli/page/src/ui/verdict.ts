@@ -48,7 +48,7 @@ export function cagedIn({ state, kernel, pair }: Session): number | null {
 
 /** What the verdict comes to; null where nothing is known. */
 export function standing(told: Told): "caged" | "leaves" | "overlap" | "one-way" | "moves" | null {
-  if (told.where.classification === "blocked") return told.where.fits ? "caged" : "overlap";
+  if (told.where.classification === "blocked") return told.where.fits ? null : "overlap";
   const region = regionOf(told);
   if (region === null) return null;
   if (told.pair.class === "fixed-axes") return heldOneWay(told.pushes?.u ?? null) || heldOneWay(told.pushes?.v ?? null) ? "one-way" : "moves";
@@ -58,7 +58,7 @@ export function standing(told: Told): "caged" | "leaves" | "overlap" | "one-way"
 /** The verdict, in a sentence. */
 export function headline(told: Told): string {
   const { pair, where, fixed, moving } = told;
-  if (where.fits) return `${moving} fits ${fixed} exactly: they touch, and have no room to move.`;
+  if (where.fits) return `${moving} fits ${fixed} without play.`;
   if (where.classification === "blocked") return `${moving} and ${fixed} overlap: real parts cannot be there.`;
   if (where.classification === null) return "This is outside of what was computed.";
   const region = regionOf(told);
