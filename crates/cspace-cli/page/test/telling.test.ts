@@ -40,7 +40,7 @@ describe("the verdict", () => {
     assert.equal(headline(told("free", 1)), "bolt cannot leave: caged by lock.");
     assert.equal(headline(told("free", 0)), "bolt can leave.");
     assert.equal(headline(told("contact", null, [3])), "bolt cannot leave: caged by lock.");
-    assert.equal(headline({ ...told("free", 1), cage: ["left lip", "right lip"] }), "bolt cannot leave: caged by left lip, right lip of lock.");
+    assert.equal(headline({ ...told("free", 1), cage: ["left lip", "right lip"] }), "bolt cannot leave: caged by left lip and right lip of lock.");
     assert.equal(headline({ ...told("contact", 0), others: true }), "bolt can leave, the other parts left aside: it touches lock, and is not caged.");
     const blocked = told("blocked", null);
     const fits = { ...blocked, where: { ...blocked.where, fits: true } };

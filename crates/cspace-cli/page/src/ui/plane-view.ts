@@ -91,7 +91,9 @@ export class PlaneView {
     const clip = this.viewport.world.querySelector("clipPath rect");
     if (clip) set(clip, attributes);
     const deviation = Math.min(box.x1 - box.x0, box.y1 - box.y0) * DEVIATION;
-    this.#drawn = { kernel, deviation, curves: kernel.curves(deviation), free: kernel.free(deviation) };
+    // Of a part that stands still a contact is one place, as far as the plane is drawn across.
+    const isDrawn = ({ points }: DrawnCurve) => points.some((p, i) => p !== points[i % 2]);
+    this.#drawn = { kernel, deviation, curves: kernel.curves(deviation).filter(isDrawn), free: kernel.free(deviation) };
     const byRegion = new Map<number, string>();
     for (const { region, points } of this.#drawn.free) byRegion.set(region, (byRegion.get(region) ?? "") + pathOf(points, true));
     this.#free.replaceChildren(

@@ -16,6 +16,8 @@ export class Toolbar {
     const choice = byId<HTMLSelectElement>("pair");
     const of = (i: number) => session.scene.parts[i]?.name ?? "?";
     choice.append(...session.scene.pairs.map((p, i) => html("option", { value: i }, `${of(p.fixed)} | ${of(p.moving)}${p.class === "lower" ? " (joined)" : ""}`)));
+    // Of one pair there is no choice.
+    if (choice.parentElement) choice.parentElement.hidden = session.scene.pairs.length < 2;
     choice.addEventListener("change", () => select(choice.selectedIndex));
 
     const tools = byId("tools");

@@ -69,8 +69,9 @@ export function headline(told: Told): string {
     const alone = told.others ? ", the other parts left aside" : "";
     return `${moving} can leave${alone}${touches ? `: it touches ${fixed}, and is not caged` : ""}.`;
   }
-  const [named, more] = [told.cage.slice(0, LISTED).join(", "), told.cage.length > LISTED ? " and others" : ""];
-  return `${moving} cannot leave: caged by ${named === "" ? fixed : `${named}${more} of ${fixed}`}.`;
+  const named = [...told.cage.slice(0, LISTED), ...(told.cage.length > LISTED ? ["others"] : [])];
+  const list = named.length > 1 ? `${named.slice(0, -1).join(", ")} and ${named.at(-1)}` : named[0];
+  return `${moving} cannot leave: caged by ${list === undefined ? fixed : `${list} of ${fixed}`}.`;
 }
 
 /** So many features of a cage are named. */
