@@ -38,7 +38,7 @@ pub struct Mechanism {
     pub joints: Vec<JointEntry>,
     /// The pairs to study.
     pub pairs: Vec<PairEntry>,
-    /// What is shown first.
+    /// First view.
     #[serde(default, skip_serializing_if = "Show::is_none")]
     pub show: Show,
     /// Masses, gravity, drives and other dynamic data. Configuration spaces do not depend on them.
@@ -89,18 +89,18 @@ pub struct PairEntry {
     pub window: Option<(f64, f64)>,
 }
 
-/// What is shown first of a mechanism, and the question that it answers.
+/// First view of a mechanism, and the question that it answers.
 #[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub struct Show {
     /// The fixed and the moving part of one of its pairs, by index; `None` for one that has something to tell.
     pub pair: Option<(usize, usize)>,
     /// The question that the pair answers, in one line.
     pub question: Option<String>,
-    /// What is large; `None` for the parts.
+    /// Part of the view that is large; `None` for the parts.
     pub view: Option<View>,
 }
 
-/// What of a pair is large when it is shown.
+/// Part of the view of a pair that is large.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum View {

@@ -1,4 +1,4 @@
-//! What is shown first of a model: `show`.
+//! First view of a model: `show`.
 
 use super::keys::{Key, Keys};
 use super::requirements::two_parts;
@@ -7,7 +7,7 @@ use super::table::Table;
 use super::toml_values::{list, text};
 use crate::mechanism::{Mechanism, Show, View};
 
-/// How the views are written.
+/// Names of the views.
 const VIEWS: [(&str, View); 3] = [
     ("parts", View::Parts),
     ("slice", View::Slice),

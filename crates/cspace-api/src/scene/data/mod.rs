@@ -37,7 +37,7 @@ pub struct Scene {
     pub joints: Vec<SceneJoint>,
     /// The pairs that are shown.
     pub pairs: Vec<ScenePair>,
-    /// What is shown first.
+    /// First view.
     pub show: SceneShow,
     /// Recordings to be played.
     pub records: Vec<SceneRecord>,
@@ -69,19 +69,19 @@ pub struct SceneRecord {
     pub record: Value,
 }
 
-/// What is shown first, as the model's `show` says.
+/// First view, as the model's `show` says.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct SceneShow {
     /// Index of the pair among those of the scene; `None` if the model names none, or it is not shown.
     pub pair: Option<usize>,
     /// The question that it answers.
     pub question: Option<String>,
-    /// What is large; `None` for the parts.
+    /// Part of the view that is large; `None` for the parts.
     pub view: Option<View>,
 }
 
 impl SceneShow {
-    /// What a mechanism's `show` says of these of its pairs.
+    /// First view of a mechanism by these of its pairs.
     fn of(model: &Mechanism, pairs: &[ScenePair]) -> Self {
         let show = &model.show;
         let shown = |p: &ScenePair| show.pair == Some((p.fixed, p.moving));

@@ -8,7 +8,6 @@ import type { Way } from "./play.js";
 import { TURN } from "./placement.js";
 import { heldOneWay } from "./pushes.js";
 import type { Pushes } from "./pushes.js";
-import type { Session } from "./session.js";
 import type { Where } from "./state.js";
 
 export interface Told {
@@ -41,7 +40,8 @@ export function regionOf({ where, kernel }: { where: Where; kernel: Pick<Kernel,
 }
 
 /** The pocket that the selected pair is in, or at the edge of. */
-export function cagedIn({ state, kernel, pair }: Session): number | null {
+export function cagedIn(of: { state: { where: Where }; kernel: Pick<Kernel, "patch"> | null; pair: Pick<ScenePair, "class" | "regions"> | undefined }): number | null {
+  const { state, kernel, pair } = of;
   const region = regionOf({ where: state.where, kernel });
   return region === null || !pair || pair.class === "fixed-axes" || pair.regions[region]?.unbounded ? null : region;
 }

@@ -74,7 +74,7 @@ describe("the page at every size", { skip: skip || long }, () => {
       const page = await at(size, latch);
       const { height } = await page.$eval("#answer", (e) => ({ height: e.getBoundingClientRect().height }));
       assert.ok(height > 20 && height < size.height / 5, `${size.width}: ${height}`);
-      assert.deepEqual(await page.$$eval("#question, #verdict .headline", (all) => all.map((e) => e.textContent)), ["Does the bolt come out?", "bolt cannot leave: caged by left lip and right lip of catch."]);
+      assert.deepEqual(await page.$$eval("#question, #verdict .headline", (all) => all.map((e) => e.textContent)), ["Does the bolt come out?", "bolt cannot leave: caged by right lip and left lip of catch."]);
       assert.ok((await area(page, "#parts")) > 1.4 * (await area(page, "#slice")), `${size.width}`);
       assert.deepEqual(await page.$$eval("#space canvas, #theta button:not([hidden])", (all) => all.length), 0);
       // The pocket is as wide and high as the bolt has room in it: by 2 and 2, of a window that shows little else.

@@ -1,4 +1,4 @@
-//! What is shown first: `show`.
+//! First view of a model: `show`.
 
 use cspace_model::{View, model};
 
