@@ -3,6 +3,7 @@
 import type { Scene } from "../scene.js";
 import type { Actions } from "./actions.js";
 import { USUAL, readAddress, usualView, writeAddress } from "./address.js";
+import type { Address } from "./address.js";
 import { isAssembly, orderOf } from "./assembly-record.js";
 import { byId, download, fileName, say } from "./dom.js";
 import { ContactHand } from "./contact-hand.js";
@@ -75,7 +76,7 @@ export function openPage({ scene, isOpened }: Shown, worker: string): Promise<vo
   const stackView = new StackView(byId("stack"), session);
   const sliceView = new SliceView(byId("slice"), session, contacts);
   const planeView = new PlaneView(byId("plane"), session, contacts);
-  const space = new LazySpace(session, address.camera ?? null);
+  const space = new LazySpace(session, address);
   new VerdictView(byId("answer"), session);
   new Legend(byId("legend"), session, (region) => {
     space.showAlone(region);
@@ -216,10 +217,13 @@ class LazySpace {
   readonly #session: Session;
   /** Where it is looked from as it opens. */
   readonly #from: readonly number[] | null;
+  /** Whether a part that is caged is shown with its pocket alone; an address shows what it says. */
+  readonly #alone: boolean;
 
-  constructor(session: Session, from: readonly number[] | null) {
+  constructor(session: Session, { camera, view }: Address) {
     this.#session = session;
-    this.#from = from;
+    this.#from = camera ?? null;
+    this.#alone = view !== "space";
   }
 
   get camera(): readonly number[] | null {
@@ -231,14 +235,14 @@ class LazySpace {
     if (this.view || state.view !== "space" || !planar) return;
     const building = byId("building");
     try {
-      const region = cagedIn(this.#session);
+      const region = this.#alone ? cagedIn(this.#session) : null;
       if (region !== null) this.#hideOthers(region);
       byId("space").hidden = false;
       this.view = new SpaceView(byId("space"), this.#session, this.#from);
       this.view.onProgress = (left) => {
         building.hidden = left === 0;
         if (left > 0) say(building, `${left} pieces left to draw`);
-        else if (region !== null && !this.#from) this.view?.fitRegion(region);
+        else if (region !== null) this.view?.fitRegion(region);
       };
       this.view.onCamera = () => this.onCamera?.();
     } catch (error) {

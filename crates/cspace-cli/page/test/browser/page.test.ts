@@ -221,7 +221,7 @@ describe("the page in a browser", { skip }, () => {
   });
 
   it("hides regions, and colours patches by kind", async () => {
-    const page = await openModel("fixture_plate", [], "#view=space&hidden=1,2,3,4,5,6,7");
+    const page = await openModel("fixture_plate", [], "#view=space");
     const first = await pictureOf(page, "#space canvas");
     await page.click("#legend input[type=checkbox]");
     await settled(page);
@@ -378,6 +378,7 @@ describe("the page in a browser", { skip }, () => {
       assert.equal(await patches(), before);
 
       // A vertex of the fixed part is dragged: the drawing follows the pointer, the space the drawing.
+      await press(page, "Fit");
       const handle = (await page.$$("#parts .handle.vertex"))[0] as ElementHandle;
       const at = await middle(handle);
       const slice = await pictureOf(page, "#slice");

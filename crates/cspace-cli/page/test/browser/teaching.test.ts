@@ -31,7 +31,7 @@ describe("the page that tells", { skip }, () => {
       await page.evaluate((at) => window.cspace.setConfiguration({ x: at, y: 0, theta: 0 }), x);
       await settled(page);
       await paused();
-      return textOf(page, "#answer") + (await textOf(page, "#play"));
+      return `${await textOf(page, "#answer")}${await textOf(page, "#play")}`;
     };
     // The command has the same regions by the same numbers.
     const regions = run(["compute", model("ball_in_c")]);
