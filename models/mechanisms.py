@@ -209,7 +209,7 @@ To be seen: the lead-in of the head meets the chamfer of the mouth, and the beam
 deflection; it slides through, and snaps out behind the lip. Pulled out, the retention face, 10 deg from square, bends it
 again, because there is no friction here: with more than tan 10 deg it would hold.
 """)
-    m.show("Can a stiff hook get into the catch?", ("catch", "hook"))
+    m.show("Can a stiff hook leave the catch?", ("catch", "hook"))
     m.part("catch", "The wall's face is the x axis, the mouth reaches from 0 to 3.9.", [("section", catch_section())], '{ type = "fixed" }')
     m.part("cover", "Its flange, up and down; at zero motion it lies on the wall.", [("flange", cover)],
            '{ type = "prismatic", direction = [0, 1] }')
