@@ -324,7 +324,7 @@ fn answer(
     let report = Report::of(simulation, record);
     let reported = simulate::Reported {
         rates: false,
-        forces: false,
+        forces: true,
         states: true,
     };
     simulate::Motion::of(model, simulation, (record, &report), reported, seconds)

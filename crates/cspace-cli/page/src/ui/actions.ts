@@ -14,6 +14,8 @@ export interface Actions {
   redo(): void;
   removeVertex(): void;
   toggleWhole(): void;
+  toggleCompare(): void;
+  leave(): void;
   wayOut(widest: boolean): void;
   playMechanism(): void;
   openRecord(): void;

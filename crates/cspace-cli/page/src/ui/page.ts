@@ -4,6 +4,7 @@ import type { Scene } from "../scene.js";
 import type { Actions } from "./actions.js";
 import { USUAL, readAddress, writeAddress } from "./address.js";
 import { byId, download, fileName, say } from "./dom.js";
+import { Comparison } from "./compare.js";
 import { ContactHand } from "./contact-hand.js";
 import { DesignPanel } from "./design-panel.js";
 import { keepDraft } from "./draft.js";
@@ -35,6 +36,7 @@ import { VerdictView } from "./verdict-view.js";
 import { applyTheme, onSystemTheme } from "./theme.js";
 import { ThetaSlider } from "./theta-slider.js";
 import { Timeline } from "./timeline.js";
+import { showTrace } from "./trace.js";
 import { Toolbar } from "./toolbar.js";
 import { Ways } from "./ways.js";
 import { UNCHANGED, Workshop } from "./workshop.js";
@@ -87,6 +89,8 @@ export function openPage({ scene, isOpened }: Shown, worker: string): Promise<vo
   new ThetaSlider(byId("theta"), session);
   const timeline = new Timeline(byId("timeline"), session, edits);
   const ways = workshop ? new Ways(session, workshop, timeline, edits) : null;
+  const comparison = new Comparison(session, partsView.viewport);
+  showTrace(session, partsView.viewport);
   const help = makeHelp();
 
   const select = (pair: number) => {
@@ -133,6 +137,8 @@ export function openPage({ scene, isOpened }: Shown, worker: string): Promise<vo
     redo: () => editor?.redo(),
     removeVertex: () => editor?.removeSelected(),
     toggleWhole: () => store.change({ whole: !store.state.whole, held: null }),
+    toggleCompare: () => comparison.toggle(),
+    leave: () => store.change({ measuring: false, editing: false, compared: null }),
     wayOut: (widest) => void ways?.out(widest).catch(failed),
     playMechanism: () => void ways?.mechanism().catch(failed),
     openRecord: () => chooseFile(".toml,.dxf,.svg,.json,.gz,application/json", (file) => void openFile(file).catch(failed)),
@@ -148,9 +154,7 @@ export function openPage({ scene, isOpened }: Shown, worker: string): Promise<vo
   new Toolbar(session, actions, (pair) => void select(pair), editor);
   if (editor && scene.source) {
     const { source } = scene;
-    // Requirements are measured apart from what the hand waits for.
-    let checks: Workshop | null = null;
-    design = new DesignPanel(session, editor, () => (checks ??= new Workshop(worker, source)));
+    design = new DesignPanel(session, editor, () => new Workshop(worker, source));
     new EditPanel(session, editor, actions);
   }
   listenToKeys(session, actions, { parts: partsView.viewport, plane: planeView.viewport });

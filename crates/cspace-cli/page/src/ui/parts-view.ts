@@ -63,6 +63,7 @@ export class PartsView {
       fit: () => this.fit(),
       label: "The parts. Drag a part to move it; the wheel over the moving part turns it.",
       grab: (at, event) => this.#grab(at, event),
+      twist: () => this.#twist(),
       wheel: (at, event) => this.#wheel(at, event),
       double: (at) => editor?.addAt(at, this.viewport) ?? false,
     });
@@ -258,6 +259,10 @@ export class PartsView {
     if (edited) return edited;
     const part = partOf(event.target);
     const pair = this.#session.pair;
+    if (part !== null && this.#session.state.traced === "next") {
+      this.#session.store.change({ traced: { part, at: apply(inverse(this.#session.state.placements[part] ?? IDENTITY), at) } });
+      return { move: () => {} };
+    }
     if (part !== null && this.#hand && this.#session.state.whole) {
       return this.#session.state.parts[part]?.motion.type === "fixed" ? null : this.#hand.grab(part, at);
     }
@@ -307,6 +312,14 @@ export class PartsView {
     };
   }
 
+  /** Two fingers turn the moving part, on a part that can turn. */
+  #twist(): ((by: number, about: Place) => void) | null {
+    const { pair, state } = this.#session;
+    const motion = pair && state.parts[pair.moving]?.motion.type;
+    if (!pair || state.editing || state.measuring || state.whole || (motion !== "planar" && motion !== "revolute")) return null;
+    return (by, about) => this.#session.turn(by, apply(inverse(this.#session.state.placements[pair.moving] ?? IDENTITY), about));
+  }
+
   #wheel(at: Place, event: WheelEvent): boolean {
     const { state, pair } = this.#session;
     const part = partOf(event.target);
@@ -333,7 +346,8 @@ function lowerHinge({ pair, state }: Session): Place | null {
   return pair && pivot ? apply(state.placements[pair.fixed] ?? IDENTITY, pivot) : null;
 }
 
-function matrix(p: Placement): string {
+/** A placement as a transform of SVG. */
+export function matrix(p: Placement): string {
   const [c, s] = [Math.cos(p.theta), Math.sin(p.theta)];
   return `matrix(${c} ${s} ${-s} ${c} ${p.x} ${p.y})`;
 }

@@ -72,6 +72,9 @@ export class Session {
       held: null,
       displaced: false,
       message: null,
+      checked: null,
+      compared: null,
+      traced: null,
     });
   }
 

@@ -1,6 +1,7 @@
 /** The bar at the top: which model and pair, switches and files. */
 
 import type { Actions } from "./actions.js";
+import { canKeep } from "./compare.js";
 import { button, byId, html, say, set } from "./dom.js";
 import type { Editor } from "./edit.js";
 import type { Session } from "./session.js";
@@ -45,10 +46,16 @@ export class Toolbar {
     const redo = tool("Redo", "Make it again (Ctrl-Shift-Z)", actions.redo, changes);
     tool("Save model", "Save the model as it is changed (TOML)", actions.saveModel, changes);
     const out = tool("Way out", "Plan a way from here to where the moving part is free, and play it; with Shift the widest", (event) => actions.wayOut(event.shiftKey), ways);
-    tool("Play mechanism", "Play the whole mechanism, as its drives move it", actions.playMechanism, ways);
+    const play = tool("Play mechanism", "Play the whole mechanism, as its drives move it", actions.playMechanism, ways);
+    disable(play, moves(session.scene.source?.model ?? "") ? null : "Nothing moves by itself: the model has no drives, loads, springs or masses");
     const whole = tool("Push all parts", "What is dragged pushes all parts of the mechanism, and not the selected pair alone", actions.toggleWhole, ways);
 
+    const compare = tool("A | B", "", actions.toggleCompare, changes);
+
+    disable(whole, session.scene.parts.length > 2 ? null : "The selected pair is the whole mechanism");
+
     session.store.subscribe((changed, state) => {
+      if ((["scene", "space", "checked", "compared"] as Key[]).some((k) => changed.has(k))) canKeep(session, compare, editor);
       if (changed.has("scene") || changed.has("parts")) {
         undo.disabled = !editor?.canUndo;
         redo.disabled = !editor?.canRedo;
@@ -61,12 +68,23 @@ export class Toolbar {
       pressed(edit, state.editing);
       pressed(measure, state.measuring);
       pressed(whole, state.whole);
+      pressed(compare, state.compared !== null);
       say(theme, { auto: "Theme: auto", light: "Theme: light", dark: "Theme: dark" }[state.theme]);
       if ((["pair", "scene", "space"] as Key[]).some((k) => changed.has(k))) {
         const pair = session.pair;
-        out.hidden = pair?.class === "fixed-axes" || pair?.class === "lower";
-        cut.hidden = pair?.class === "fixed-axes" || pair?.class === "lower";
+        out.hidden = cut.hidden = !pair || pair.class === "fixed-axes" || pair.class === "lower";
       }
     });
   }
+}
+
+/** A button that would do nothing says why. */
+function disable(b: HTMLButtonElement, why: string | null): void {
+  b.disabled = why !== null;
+  if (why !== null) b.title = why;
+}
+
+/** Whether anything in a model moves by itself, by its TOML as the program writes it. */
+function moves(model: string): boolean {
+  return /^\[\[(drive|load|spring)\]\]|^(mass|density) *=/m.test(model);
 }
