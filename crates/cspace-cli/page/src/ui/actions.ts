@@ -19,8 +19,8 @@ export interface Actions {
   wayOut(widest: boolean): void;
   playMechanism(): void;
   openRecord(): void;
-  saveSvg(): void;
-  savePng(): void;
+  saveSvg(asShown: boolean): void;
+  savePng(asShown: boolean): void;
   saveModel(): void;
   savePage(): void;
 }

@@ -121,7 +121,7 @@ export class DesignPanel {
 
   #draw({ parameter, slider, field, free, play, marks }: Row): HTMLElement {
     const unit = html("span", { class: "faint" }, parameter.is_angle ? "°" : "");
-    const name = html("span", { class: "name", title: slider.title }, slider.title);
+    const name = html("span", { class: "name", title: slider.title }, html("b", {}, parameter.name), html("span", { class: "faint" }, slider.title.slice(parameter.name.length)));
     return html("div", { class: "parameter" }, name, play, html("div", { class: "slid" }, slider, marks), html("span", { class: "value" }, field, unit), free);
   }
 

@@ -106,7 +106,17 @@ export function openPage({ scene, isOpened }: Shown, worker: string): Promise<vo
     spaceView?.drawNow();
     return [...parts, ...(spaceView ? [spaceView.canvas] : []), sliceView.viewport.svg];
   };
-  const made = () => picture(panes(), getComputedStyle(byId("left")).backgroundColor, scene.name);
+  /** A picture is light, for paper, unless the colours of the page are asked for. */
+  const made = (asShown: boolean) => {
+    applyTheme(asShown ? store.state.theme : "light");
+    spaceView?.applyTheme();
+    const { backgroundColor, color } = getComputedStyle(byId("left"));
+    const words = [scene.name, document.querySelector(".headline")?.textContent ?? ""].filter((w) => w !== "").join(": ");
+    const done = picture(panes(), backgroundColor, color, words);
+    applyTheme(store.state.theme);
+    spaceView?.applyTheme();
+    return done;
+  };
   const openFile = async (file: File) => {
     if (!(await showFile(file, (text) => store.change({ message: { kind: "progress", text } })))) await timeline.open(file);
   };
@@ -138,12 +148,12 @@ export function openPage({ scene, isOpened }: Shown, worker: string): Promise<vo
     removeVertex: () => editor?.removeSelected(),
     toggleWhole: () => store.change({ whole: !store.state.whole, held: null }),
     toggleCompare: () => comparison.toggle(),
-    leave: () => store.change({ measuring: false, editing: false, compared: null }),
+    leave: () => store.change({ measuring: false, editing: false, compared: null, traced: store.state.traced === "next" ? null : store.state.traced }),
     wayOut: (widest) => void ways?.out(widest).catch(failed),
     playMechanism: () => void ways?.mechanism().catch(failed),
     openRecord: () => chooseFile(".toml,.dxf,.svg,.json,.gz,application/json", (file) => void openFile(file).catch(failed)),
-    saveSvg: () => download(fileName(scene.name, "svg"), svgFile(made())),
-    savePng: () => void pngFile(made()).then((blob) => download(fileName(scene.name, "png"), blob), failed),
+    saveSvg: (asShown) => download(fileName(scene.name, "svg"), svgFile(made(asShown))),
+    savePng: (asShown) => void pngFile(made(asShown)).then((blob) => download(fileName(scene.name, "png"), blob), failed),
     saveModel: () => void editor?.model().then(save, failed),
     savePage: () => {
       download(fileName(scene.name, "html"), new Blob([pageFile(scene, addressNow())], { type: "text/html" }));

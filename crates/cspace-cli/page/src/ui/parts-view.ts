@@ -8,6 +8,7 @@ import type { Place, ScenePart } from "../scene.js";
 import { set, svg } from "./dom.js";
 import { DragGoal } from "./drag-goal.js";
 import type { Editor } from "./edit.js";
+import { gridStep } from "./grid.js";
 import { isAt, partAt, touchesAt } from "./heights.js";
 import { lowerPair } from "./lower.js";
 import { Measure } from "./measure.js";
@@ -75,6 +76,14 @@ export class PartsView {
     this.#marks = svg("g", { class: "marks" });
     this.#handles = svg("g", { class: "handles" });
     this.viewport.overlay.append(this.#pivots, this.#names.group, this.#marks, this.#measure.group, this.#handles);
+    this.#handles.addEventListener("keydown", (event) => {
+      const [dx, dy] = ({ ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] } as Record<string, [number, number]>)[event.key] ?? [0, 0];
+      if (dx === 0 && dy === 0) return;
+      event.preventDefault();
+      event.stopPropagation();
+      const step = gridStep(this.viewport) * (event.shiftKey ? 0.1 : 1);
+      editor?.nudge(dx * step, dy * step, step);
+    });
     this.viewport.onView = () => this.#drawOverlay();
     editor?.onSelect.push(() => this.#drawOverlay());
     session.store.subscribe((changed, state) => this.#update(changed, state));
@@ -226,7 +235,10 @@ export class PartsView {
       }
     }
     this.#marks.replaceChildren(...marks);
+    // They are drawn anew: the one that has the focus keeps it.
+    const focused = this.#handles.contains(document.activeElement);
     this.#handles.replaceChildren(...(this.#editor?.handles(this.viewport) ?? []));
+    if (focused) this.#handles.querySelector<SVGElement>(".chosen")?.focus();
   }
 
   #pivotMarks(): SVGElement[] {

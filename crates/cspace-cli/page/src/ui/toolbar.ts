@@ -31,8 +31,8 @@ export class Toolbar {
     const measure = tool("Measure", "Click two corners or edges of parts: their distance is shown, and follows them (m)", actions.toggleMeasure);
     const edit = editor ? tool("Edit", "Drag vertices, arcs and pivots", actions.toggleEdit) : null;
     tool("Open", "Open a model (TOML) or a drawing (DXF, SVG), or play what cspace plan or cspace simulate printed", actions.openRecord);
-    tool("SVG", "Save a picture as SVG", actions.saveSvg);
-    tool("PNG", "Save a picture as PNG", actions.savePng);
+    tool("SVG", "Save a picture as SVG; with Shift in the colours of the page", (event) => actions.saveSvg(event.shiftKey));
+    tool("PNG", "Save a picture as PNG; with Shift in the colours of the page", (event) => actions.savePng(event.shiftKey));
     tool("Save page", "Save this page as one file, with the model as it is changed", actions.savePage);
     const theme = tool("Theme", "Light, dark, or as the system", actions.toggleTheme);
     tool("?", "Help (?)", actions.help).setAttribute("aria-label", "Help");
