@@ -75,7 +75,7 @@ export class Comparison {
           ...parameters.map(([name, now]) => row(name, short(a.parameters.get(name) ?? NaN), short(now))),
           ...(scene.design?.requirements ?? []).map((name) => row(name, value(a.checked, name), state.checked ? value(b.checked, name) : "…")),
           row("verdict", a.verdict, same ? b.verdict : "another pair"),
-          row("touching or nearest", a.decides, same ? b.decides : "–"),
+          row("nearest", a.decides, same ? b.decides : "–"),
         ),
       ),
     );

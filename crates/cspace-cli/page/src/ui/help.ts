@@ -40,13 +40,13 @@ const WORDS: [string, string][] = [
 
 export function makeHelp(): { show(): void } {
   const dialog = byId<HTMLDialogElement>("help");
-  const close = button("Close", () => dialog.close());
+  const close = button("Close", () => dialog.close(), { style: "float: right" });
   const keys = KEYS.map(([names, text]) =>
     html("tr", {}, html("td", {}, ...names.flatMap((n, i) => [i > 0 ? " " : "", html("kbd", {}, n)])), html("td", {}, text)),
   );
   const pointer = POINTER.map(([what, text]) => html("tr", {}, html("td", {}, what), html("td", {}, text)));
   const words = WORDS.map(([what, text]) => html("tr", {}, html("td", {}, html("b", {}, what)), html("td", {}, text)));
   const more = html("p", {}, "More is in docs/page.md of the project, and in ", html("kbd", {}, "cspace view --help"), ".");
-  dialog.append(html("h2", { id: "help-title" }, "Words"), html("table", {}, ...words), html("h2", {}, "Keys and pointers"), html("table", {}, ...keys, ...pointer), more, close);
+  dialog.append(close, html("h2", { id: "help-title" }, "Words"), html("table", {}, ...words), html("h2", {}, "Keys and pointers"), html("table", {}, ...keys, ...pointer), more);
   return { show: () => (dialog.open ? dialog.close() : dialog.showModal()) };
 }

@@ -87,11 +87,16 @@ function styled(from: SVGSVGElement, seen: DOMRect): Node[] {
   });
   // The numbers of the grid stand at the edges of what is seen.
   const all = from.getBoundingClientRect();
-  for (const text of copy.querySelectorAll<SVGTextElement>(":scope > g > text.unit, :scope > g > text:not([text-anchor])")) {
+  const grid = [...from.children].findIndex((e) => e.classList.contains("grid-numbers"));
+  const [left, right, top, bottom] = [seen.left - all.left, seen.right - all.left, seen.top - all.top, seen.bottom - all.top];
+  for (const text of [...(copy.children[grid]?.children ?? [])]) {
     const [x, y] = [Number(text.getAttribute("x")), Number(text.getAttribute("y"))];
-    if (y > all.height - EDGE) text.setAttribute("y", String(y - all.bottom + seen.bottom));
-    if (x < EDGE && y <= all.height - EDGE) text.setAttribute("x", String(x + seen.left - all.left));
-    if (x > all.width - EDGE) text.setAttribute("x", String(x - all.right + seen.right));
+    const [isBelow, isUnit] = [y > all.height - EDGE, x > all.width - EDGE];
+    if (isBelow) text.setAttribute("y", String(y - all.height + bottom));
+    if (isUnit) text.setAttribute("x", String(x - all.width + right));
+    else if (!isBelow && x < EDGE) text.setAttribute("x", String(x + left));
+    // Those of what is cut off, and in the corners.
+    if (!isUnit && (isBelow ? x < left || x > right - 2 * BORDER : y < top + EDGE || y > bottom - LINE)) text.remove();
   }
   // What only catches the pointer is no part of a picture.
   for (const grip of [...from.querySelectorAll("*")].flatMap((e, i) => (e.classList.contains("grip") ? [i] : []))) {

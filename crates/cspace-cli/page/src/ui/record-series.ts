@@ -1,6 +1,7 @@
 /** The coordinates of a record over the time of its playing. */
 
 import type { ScenePart } from "../scene.js";
+import { rounded } from "./numbers.js";
 import { timeAt } from "./playable.js";
 import type { PlayableRecord } from "./playable.js";
 
@@ -50,7 +51,7 @@ export function seriesOf(record: PlayableRecord, parts: readonly ScenePart[], na
   const loads = (record.kind === "simulation" ? record.drives : []).map(({ part, unit: force, times, values }): Series => ({
     name: `${part} ${turns(part) ? "torque" : "force"}`,
     kind: "load",
-    unit: turns(part) && unit ? `${force}·${unit}` : force,
+    unit: force === "" ? `kg·${unit ?? "unit"}${turns(part) ? "²" : ""}/s²` : turns(part) ? `${force}·${unit}` : force,
     times,
     values,
     lo: values.reduce((a, b) => Math.min(a, b), Infinity),
@@ -72,6 +73,9 @@ export function valueAt({ times, values }: Series, t: number, straight: boolean)
   return straight && e > s ? a + (b - a) * Math.min(1, Math.max(0, (t - s) / (e - s))) : a;
 }
 
+/** Digits of degrees that are more than the rounding of their conversion. */
+const DIGITS = 15;
+
 /** All series as CSV: a row for each time, of the motion; angles in degrees. Of a planned path the first column is how far it is, from 0 to 1. */
 export function csvOf(record: PlayableRecord, series: readonly Series[], unit: string | null): string {
   const rows = new Map<number, Map<Series, number>>();
@@ -79,7 +83,8 @@ export function csvOf(record: PlayableRecord, series: readonly Series[], unit: s
     s.times.forEach((t, i) => {
       let row = rows.get(t);
       if (!row) rows.set(t, (row = new Map()));
-      row.set(s, (s.values[i] ?? NaN) * (s.kind === "angle" ? 180 / Math.PI : 1));
+      const value = s.values[i] ?? NaN;
+      row.set(s, s.kind === "angle" ? rounded((value * 180) / Math.PI, DIGITS) : value);
     });
   }
   const head = (s: Series) => {
