@@ -52,7 +52,8 @@ export function playedAt(steps: readonly Sample[], time: number): number {
     if ((steps[middle]?.time ?? Infinity) < time) lo = middle + 1;
     else hi = middle;
   }
-  const before = steps[lo - 1];
+  const [before, at] = [steps[lo - 1], steps[lo]];
+  if (at?.time === time) return at.t;
   return time + (before ? before.t - before.time : 0);
 }
 
