@@ -91,8 +91,8 @@ pub struct Step<S> {
     pub above: S,
 }
 
-/// Places at which a state changes within a range: between neighbours of `samples` values that differ, by bisection, to 10⁻⁹ of the range.
-/// What changes and changes back between two neighbours is missed.
+/// Places at which a state changes within a range: between neighbours of `samples` values that differ, by bisection, to 10⁻⁹ of the range,
+/// but for what changes and changes back between two neighbours.
 pub fn steps_in<S: Clone + PartialEq + Send + Sync>(
     (lo, hi): (f64, f64),
     samples: usize,
