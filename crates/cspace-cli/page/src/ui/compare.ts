@@ -1,7 +1,6 @@
 /** A | B: a state that is kept beside the one that is changed on, as ghosts in the drawing and in a table. */
 
 import { byId, html, svg } from "./dom.js";
-import type { Editor } from "./edit.js";
 import { short } from "./numbers.js";
 import { outlinePath } from "./outline.js";
 import { matrix } from "./parts-view.js";
@@ -83,9 +82,8 @@ export class Comparison {
 }
 
 /** Whether a state can be kept: what it comes to has to be known. */
-export function canKeep(session: Session, button: HTMLButtonElement, editor: Editor | null): void {
-  const { state, scene } = session;
-  const waits = editor !== null && (scene.design?.requirements.length ?? 0) > 0 && state.checked === null;
+export function canKeep({ state, scene }: Session, button: HTMLButtonElement): void {
+  const waits = scene.design !== null && scene.design.requirements.length > 0 && state.checked === null;
   button.disabled = !state.compared && (waits || state.space.state !== "ready");
   button.title = button.disabled ? "The state can be kept once its space and its requirements are computed" : state.compared ? "Let A go (Escape)" : "Keep this state as A, and see beside it what follows (ghosts in the drawing, and a table)";
 }

@@ -152,16 +152,18 @@ export class DesignPanel {
   }
 
   #show({ name, marks, text, isRunning }: Found): void {
-    for (const { parameter, range: [lo, hi], marks: scale, found } of this.#rows) {
-      const own = parameter.name === name;
-      found.hidden = !own;
-      scale.replaceChildren();
-      if (!own) continue;
-      const mark = (m: Mark, shown: string) => button(shown, () => this.#set(this.#touched, m.at / (parameter.is_angle ? DEGREE : 1), true), { class: "small", title: `Set ${name} to ${m.at / (parameter.is_angle ? DEGREE : 1)}` });
-      const from = ({ at, text }: Mark) => `from ${parameter.is_angle ? degrees(at, TOLD) : short(rounded(at, TOLD))} on: ${text}`;
-      scale.append(...marks.map((m) => html("i", { style: `left: ${(100 * (m.at - lo)) / (hi - lo)}%`, title: from(m) })));
+    for (const row of this.#rows) {
+      const { parameter, range: [lo, hi], marks: scale, found } = row;
+      const shown = parameter.name === name ? marks : [];
+      found.hidden = parameter.name !== name;
+      scale.replaceChildren(...shown.map(({ at }) => html("i", { style: `left: ${(100 * (at - lo)) / (hi - lo)}%` })));
+      const mark = ({ at, text }: Mark) => {
+        const value = at / (parameter.is_angle ? DEGREE : 1);
+        const from = parameter.is_angle ? degrees(at, TOLD) : short(rounded(at, TOLD));
+        return button(`from ${from} on: ${text}`, () => this.#set(row, value, true), { class: "small", title: `Set ${name} to ${value}` });
+      };
       const end = isRunning ? [button("Cancel", () => this.#thresholds.cancel(), { class: "small" })] : [];
-      found.replaceChildren(...marks.map((m) => mark(m, from(m))), text, ...end);
+      found.replaceChildren(...shown.map(mark), text, ...end);
     }
   }
 
@@ -198,8 +200,7 @@ export class DesignPanel {
   }
 
   /** Sets a value, of an angle in degrees. */
-  #set(row: Row | null, value: number, isFirst: boolean): void {
-    if (!row) return;
+  #set(row: Row, value: number, isFirst: boolean): void {
     this.#editor.setParameters([settingOf(row.parameter, value)], isFirst);
     if (this.#touched !== row) this.#touch(row);
   }

@@ -33,7 +33,7 @@ import { SpaceView } from "./space-view.js";
 import type { Key } from "./state.js";
 import { StackView } from "./stack-view.js";
 import { VerdictView } from "./verdict-view.js";
-import { applyTheme, onSystemTheme } from "./theme.js";
+import { NEXT_THEME, applyTheme, onSystemTheme } from "./theme.js";
 import { ThetaSlider } from "./theta-slider.js";
 import { Timeline } from "./timeline.js";
 import { showTrace } from "./trace.js";
@@ -131,7 +131,7 @@ export function openPage({ scene, isOpened }: Shown, worker: string): Promise<vo
     toggleStop: () => store.change({ stop: !store.state.stop }),
     toggleCut: () => store.change({ cut: !store.state.cut }),
     toggleColouring: () => store.change({ colouring: store.state.colouring === "kind" ? "region" : "kind" }),
-    toggleTheme: () => store.change({ theme: ({ auto: "dark", dark: "light", light: "auto" } as const)[store.state.theme] }),
+    toggleTheme: () => store.change({ theme: NEXT_THEME[store.state.theme] }),
     toggleMeasure: () => store.change({ measuring: !store.state.measuring }),
     toggleEdit: () => editor && store.change({ editing: !store.state.editing }),
     fit: () => {

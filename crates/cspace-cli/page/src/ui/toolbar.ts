@@ -6,6 +6,7 @@ import { button, byId, html, say, set } from "./dom.js";
 import type { Editor } from "./edit.js";
 import type { Session } from "./session.js";
 import type { Key } from "./state.js";
+import { themeText } from "./theme.js";
 
 export class Toolbar {
   constructor(session: Session, actions: Actions, select: (pair: number) => void, editor: Editor | null) {
@@ -55,7 +56,7 @@ export class Toolbar {
     disable(whole, session.scene.parts.length > 2 ? null : "The selected pair is the whole mechanism");
 
     session.store.subscribe((changed, state) => {
-      if ((["scene", "space", "checked", "compared"] as Key[]).some((k) => changed.has(k))) canKeep(session, compare, editor);
+      if ((["scene", "space", "checked", "compared"] as Key[]).some((k) => changed.has(k))) canKeep(session, compare);
       if (changed.has("scene") || changed.has("parts")) {
         undo.disabled = !editor?.canUndo;
         redo.disabled = !editor?.canRedo;
@@ -69,7 +70,7 @@ export class Toolbar {
       pressed(measure, state.measuring);
       pressed(whole, state.whole);
       pressed(compare, state.compared !== null);
-      say(theme, { auto: "Theme: auto", light: "Theme: light", dark: "Theme: dark" }[state.theme]);
+      say(theme, themeText(state.theme));
       if ((["pair", "scene", "space"] as Key[]).some((k) => changed.has(k))) {
         const pair = session.pair;
         out.hidden = cut.hidden = !pair || pair.class === "fixed-axes" || pair.class === "lower";
