@@ -77,7 +77,7 @@ describe("a page on which things are changed and compared", { skip }, () => {
       seen.add(await valueOf(page, "mouth"));
       await settled(page);
     }
-    assert.ok(seen.size > 5, `${seen.size} values`);
+    assert.ok([...seen].some((x) => x > 4.5 && x < 7.5 && x !== 6), [...seen].join());
     await page.waitForFunction(() => (document.querySelector('#design input[type=number][aria-label^="mouth,"]') as HTMLInputElement).value === "7.5", { timeout: PATIENCE });
     await press(page, "Undo");
     assert.equal(await valueOf(page, "mouth"), 6);
