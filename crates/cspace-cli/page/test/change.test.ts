@@ -6,6 +6,7 @@ import { Model } from "../build/kernel/cspace.js";
 import { commentOf } from "../src/ui/file-comments.js";
 import { gridStep, snapped } from "../src/ui/grid.js";
 import { lensCorner } from "../src/ui/lens.js";
+import { Pace } from "../src/ui/pace.js";
 import { stretches, timeAt, timeNumbers } from "../src/ui/playable.js";
 import { widened } from "../src/ui/ranges.js";
 import { csvOf, seriesOf } from "../src/ui/record-series.js";
@@ -108,6 +109,24 @@ describe("time", () => {
     const path = readRecord("p", { verdict: "path", path: [[0, 1], [2, 3]] });
     assert.deepEqual([timeNumbers(path), stretches(path)], [[], []]);
     assert.match(csvOf(path, seriesOf(path, [], { fixed: "a", moving: "b" }), null), /^share of the way,"a","b"\r\n0,0,1\r\n1,2,3\r\n$/);
+  });
+});
+
+describe("frames of the 3-D view", () => {
+  /** A card that has finished what it was sent, after so long (ms). */
+  const after = (took: number) => {
+    const gl = { fenceSync: () => ({}), flush: () => {}, getSyncParameter: () => 1, deleteSync: () => {}, SIGNALED: 1, SYNC_STATUS: 0, SYNC_GPU_COMMANDS_COMPLETE: 0 };
+    const pace = new Pace(gl as unknown as WebGL2RenderingContext);
+    pace.sent();
+    const begin = performance.now();
+    while (performance.now() - begin < took);
+    assert.equal(pace.isBusy(), false);
+    return [pace.next(false, false), pace.next(true, false), pace.next(true, true)];
+  };
+  it("are coarse while something is dragged, or none where also these are slow", () => {
+    assert.deepEqual(after(1), ["fine", "fine", "coarse"]);
+    assert.deepEqual(after(36), ["fine", "coarse", "coarse"]);
+    assert.deepEqual(after(60), ["fine", "coarse", "none"]);
   });
 });
 

@@ -41,7 +41,7 @@ export class Graphs {
     this.#strips = all.slice(0, MOST).map((series) => ({ series, value: html("output") }));
     const more = all.length > MOST ? [html("p", { class: "faint" }, `and ${all.length - MOST} more coordinates`)] : [];
     if (!record) return;
-    const save = () => download(fileName(record.name, "csv"), new Blob([csvOf(record, all, scene.unit)], { type: "text/csv" }));
+    const save = () => download(fileName(record.name.replace(/\.json(\.gz)?$/, ""), "csv"), new Blob([csvOf(record, all, scene.unit)], { type: "text/csv" }));
     const csv = button("CSV", save, { class: "small", title: "Save all coordinates over time as a table" });
     this.#element.replaceChildren(csv, ...this.#strips.map((strip) => this.#draw(strip, record)), numbers(record), ...more);
   }

@@ -39,14 +39,10 @@ export class Pace {
     return false;
   }
 
-  /** Whether the last frame that was finished was slow. */
-  get isSlow(): boolean {
-    return this.#took > SLOW;
-  }
-
-  /** Whether it held the hand up also when it was coarse. */
-  get isTooSlow(): boolean {
-    return this.#took > TOO_SLOW;
+  /** How the next frame is drawn, after one that was coarse or not: while something is dragged, coarse or not at all. */
+  next(isDragged: boolean, isCoarse: boolean): "fine" | "coarse" | "none" {
+    if (!isDragged || (!isCoarse && this.#took <= SLOW)) return "fine";
+    return isCoarse && this.#took > TOO_SLOW ? "none" : "coarse";
   }
 
   #forget(): void {

@@ -283,12 +283,12 @@ export class SpaceView {
       this.#frame = null;
       if (this.#pace.isBusy()) this.#draw();
       else {
-        const { dragging } = this.#session.state;
+        const next = this.#pace.next(this.#session.state.dragging, this.#coarse);
         // What is dragged in this view is seen nowhere else so well.
-        const waits = dragging && this.#coarse && this.#pace.isTooSlow && this.#controls.enabled;
+        const waits = next === "none" && this.#controls.enabled;
         this.#element.classList.toggle("waits", waits);
         if (waits) return;
-        if (this.#pace.isSlow && dragging) this.#setCoarse(true);
+        this.#setCoarse(next !== "fine");
         this.drawNow();
       }
     });
