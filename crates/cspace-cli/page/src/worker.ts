@@ -46,6 +46,10 @@ function done(known: Known, asked: Request): string {
       return model.disassemble(asked.edits);
     case "check":
       return model.check(asked.edits);
+    case "solve":
+      return model.solve(asked.edits, asked.question);
+    case "regions":
+      return model.regionChanges(asked.pair, asked.edits, asked.parameter, ...asked.range);
     case "contact":
       return model.putContact(asked.pair, asked.edits, asked.contact);
     case "drag":

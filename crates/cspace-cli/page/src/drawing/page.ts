@@ -6,11 +6,12 @@ import { writeFragment } from "../ui/entries.js";
 import { chooseFile, listenToDrops, showFile, showModel } from "../ui/files.js";
 import { answer, failure, messageDrawn, note, showMessage } from "../ui/message.js";
 import type { Message } from "../ui/state.js";
+import { makeHelp } from "../ui/help.js";
 import { length, short } from "../ui/numbers.js";
 import { boxOf, curvePath, outlinePath } from "../ui/outline.js";
 import { regionColour } from "../ui/colours.js";
 import type { SceneVertex } from "../scene.js";
-import { followTheme } from "../ui/theme.js";
+import { followTheme, themeText } from "../ui/theme.js";
 import { Viewport } from "../ui/viewport.js";
 import { NOTHING, clicked, fragment, fromFragment, imported, joined, options, partOf, removed, renamed, request, wrongName } from "./picks.js";
 import type { Picks } from "./picks.js";
@@ -23,7 +24,7 @@ const DRAWN_SIZE = 1000;
 const CLICK = 4;
 
 export function openDrawing(scene: DrawingScene): void {
-  followTheme();
+  const nextTheme = followTheme();
   document.body.classList.add("drawing");
   set(byId("left"), { "aria-label": "Drawing" });
   const { name, unit, command } = scene.source;
@@ -136,8 +137,10 @@ export function openDrawing(scene: DrawingScene): void {
   set(add, { "aria-pressed": "false" });
   const clear = tool("Clear", "Take all parts back", () => change(NOTHING));
   const saving = tool("Save model", "Save the parts as a model (TOML)", save);
-  const opening = tool("Open", "Show two parts or more, and their configuration spaces", open);
+  const opening = tool("Show motion", "Show two parts or more, and their configuration spaces", open);
   tool("Open file", "Open another drawing (DXF, SVG) or a model (TOML)", () => chooseFile(".dxf,.svg,.toml", taken));
+  const theme: HTMLButtonElement = tool(themeText("auto"), "Light, dark, or as the system", () => say(theme, themeText(nextTheme())));
+  tool("?", "Help", makeHelp().show).setAttribute("aria-label", "Help");
 
   function change(to: Picks): void {
     picks = to;

@@ -18,12 +18,14 @@ export interface Actions {
   redo(): void;
   removeVertex(): void;
   toggleWhole(): void;
+  toggleCompare(): void;
+  leave(): void;
   wayOut(widest: boolean): void;
   playMechanism(): void;
   takeApart(): void;
   openRecord(): void;
-  saveSvg(): void;
-  savePng(): void;
+  saveSvg(asShown: boolean): void;
+  savePng(asShown: boolean): void;
   saveModel(): void;
   savePage(): void;
 }

@@ -33,7 +33,7 @@ export function readAssembly(name: string, record: Json): PlayableRecord {
   const played = new Played(parts, steps);
   steps.forEach((step, i) => played.play(step, i + 1));
   const summary = `${verdict}, ${steps.length} ${steps.length === 1 ? "step" : "steps"}`;
-  return { kind: "simulation", name, duration: played.time, ticks: played.ticks, summary, parts, steps: played.samples };
+  return { kind: "simulation", name, duration: played.time, ticks: played.ticks, summary, parts, steps: played.samples, drives: [] };
 }
 
 /** In which order it comes apart, in a sentence; none where that is not known. */

@@ -38,7 +38,7 @@ export class EditPanel {
     const unit = session.scene.unit ? ` (${session.scene.unit})` : "";
     const clearance = html("label", { for: "edit-offset", title: "The moving part is shrunk by this all round" }, `clearance${unit}`, this.#offset);
     byId("edit").append(
-      html("p", {}, "Drag squares (vertices), dots (edges) and rings (pivots). Double-click an edge to add a vertex, Alt-click one to remove it."),
+      html("p", {}, "Drag squares (vertices), dots (edges) and rings (pivots). Double-click an edge to add a vertex, Alt-click one to remove it. Vertices snap to a grid, finer when zoomed in; with Alt they do not. Tab and arrow keys do the same."),
       this.#fields,
       clearance,
       this.#refused,

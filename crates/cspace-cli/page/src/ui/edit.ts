@@ -2,10 +2,11 @@
 
 import type { Kernel } from "../kernel/api.js";
 import type { Place, ScenePair, SceneSetting } from "../scene.js";
-import { Handles } from "./edit-handles.js";
+import { Handles, isSame } from "./edit-handles.js";
 import type { Edited, Handle, VertexHandle } from "./edit-handles.js";
 import { addVertex, bend, moveVertex, removeVertex, setRadius } from "./edit-shape.js";
 import type { Loop } from "./edit-shape.js";
+import { gridStep, snapped } from "./grid.js";
 import { loopsAt } from "./heights.js";
 import { isAxes } from "./mechanism.js";
 import { arcOf, edgeOf } from "./outline.js";
@@ -257,7 +258,18 @@ export class Editor {
   }
 
   handles(viewport: Viewport): SVGElement[] {
-    return this.#handles.drawn(viewport, this.selected);
+    const focused = (handle: Handle) => isSame(handle, this.selected) || this.#select(handle);
+    return this.#handles.drawn(viewport, this.selected, this.#session.state.parts.map((p) => p.name), focused);
+  }
+
+  /** Moves what is selected, in the assembly; all on a grid of a step. */
+  nudge(dx: number, dy: number, step: number): void {
+    const handle = this.selected;
+    const at = handle && this.#handles.placeOf(handle);
+    const before = handle && this.#shape.parts[handle.part];
+    if (!handle || !at || !before) return;
+    this.#remember();
+    this.#moveTo(handle, before, { x: at.x + dx, y: at.y + dy }, step);
   }
 
   #select(handle: Handle | null): void {
@@ -276,18 +288,21 @@ export class Editor {
     const before = this.#shape.parts[handle.part];
     let begun = false;
     return {
-      move: (to) => {
+      move: (to, { altKey }) => {
         if (!begun) this.#remember();
         begun = true;
         store.change({ dragging: true });
-        if (before) this.#moveTo(handle, before, to);
+        if (before) this.#moveTo(handle, before, to, altKey ? null : gridStep(viewport));
       },
       end: () => store.change({ dragging: false }),
     };
   }
 
-  #moveTo(handle: Handle, e: Edited, to: Place): void {
-    const own = apply(inverse(this.#session.state.placements[handle.part] ?? IDENTITY), to);
+  /** Vertices go to whole steps of their part's coordinates, pivots of the assembly's; a bent edge goes where it is wanted. */
+  #moveTo(handle: Handle, e: Edited, to: Place, step: number | null): void {
+    const free = apply(inverse(this.#session.state.placements[handle.part] ?? IDENTITY), to);
+    const own = step !== null && handle.kind === "vertex" ? snapped(free, step) : free;
+    if (step !== null && handle.kind === "pivot") to = snapped(to, step);
     this.#change(handle.part, () => {
       if (handle.kind === "pivot") return e.motion.type === "revolute" ? { ...e, motion: { ...e.motion, center: to } } : e;
       return withLoop(e, handle.loop, (loop) => (handle.kind === "vertex" ? moveVertex : bend)(loop, handle.index, own)) ?? e;

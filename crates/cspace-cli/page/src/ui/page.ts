@@ -6,6 +6,7 @@ import { USUAL, readAddress, usualView, writeAddress } from "./address.js";
 import type { Address } from "./address.js";
 import { isAssembly, orderOf } from "./assembly-record.js";
 import { byId, download, fileName, say } from "./dom.js";
+import { Comparison } from "./compare.js";
 import { ContactHand } from "./contact-hand.js";
 import { DesignPanel } from "./design-panel.js";
 import { keepDraft } from "./draft.js";
@@ -36,9 +37,10 @@ import type { Key } from "./state.js";
 import { cagedIn } from "./verdict.js";
 import { StackView } from "./stack-view.js";
 import { VerdictView } from "./verdict-view.js";
-import { applyTheme, onSystemTheme } from "./theme.js";
+import { NEXT_THEME, applyTheme, onSystemTheme } from "./theme.js";
 import { ThetaSlider } from "./theta-slider.js";
 import { Timeline } from "./timeline.js";
+import { showTrace } from "./trace.js";
 import { Toolbar } from "./toolbar.js";
 import { Ways } from "./ways.js";
 import { UNCHANGED, Workshop } from "./workshop.js";
@@ -88,6 +90,8 @@ export function openPage({ scene, isOpened }: Shown, worker: string): Promise<vo
   new ThetaSlider(byId("theta"), session);
   const timeline = new Timeline(byId("timeline"), session, edits);
   const ways = workshop ? new Ways(session, workshop, timeline, edits) : null;
+  const comparison = new Comparison(session, partsView.viewport);
+  showTrace(session, partsView.viewport);
   const help = makeHelp();
 
   const select = (pair: number) => {
@@ -103,7 +107,17 @@ export function openPage({ scene, isOpened }: Shown, worker: string): Promise<vo
     space.view?.drawNow();
     return [...parts, ...(space.view && store.state.view === "space" ? [space.view.canvas] : []), sliceView.viewport.svg];
   };
-  const made = () => picture(panes(), getComputedStyle(byId("left")).backgroundColor, scene.name);
+  /** A picture is light, for paper, unless the colours of the page are asked for. */
+  const made = (asShown: boolean) => {
+    applyTheme(asShown ? store.state.theme : "light");
+    space.view?.applyTheme();
+    const { backgroundColor, color } = getComputedStyle(byId("left"));
+    const words = [scene.name, document.querySelector(".headline")?.textContent ?? ""].filter((w) => w !== "").join(": ");
+    const done = picture(panes(), backgroundColor, color, words);
+    applyTheme(store.state.theme);
+    space.view?.applyTheme();
+    return done;
+  };
   const openFile = async (file: File) => {
     if (!(await showFile(file, (text) => store.change({ message: { kind: "progress", text } })))) await timeline.open(file);
   };
@@ -119,7 +133,7 @@ export function openPage({ scene, isOpened }: Shown, worker: string): Promise<vo
     toggleView: (view) => store.change({ view: store.state.view === view ? "parts" : view }),
     toggleCut: () => store.change({ cut: !store.state.cut }),
     toggleColouring: () => store.change({ colouring: store.state.colouring === "kind" ? "region" : "kind" }),
-    toggleTheme: () => store.change({ theme: ({ auto: "dark", dark: "light", light: "auto" } as const)[store.state.theme] }),
+    toggleTheme: () => store.change({ theme: NEXT_THEME[store.state.theme] }),
     toggleMeasure: () => store.change({ measuring: !store.state.measuring }),
     toggleEdit: () => editor && store.change({ editing: !store.state.editing }),
     fit: () => {
@@ -135,12 +149,14 @@ export function openPage({ scene, isOpened }: Shown, worker: string): Promise<vo
     redo: () => editor?.redo(),
     removeVertex: () => editor?.removeSelected(),
     toggleWhole: () => store.change({ whole: !store.state.whole, held: null }),
+    toggleCompare: () => comparison.toggle(),
+    leave: () => store.change({ measuring: false, editing: false, compared: null, traced: store.state.traced === "next" ? null : store.state.traced }),
     wayOut: (widest) => void ways?.out(widest).catch(failed),
     playMechanism: () => void ways?.mechanism().catch(failed),
     takeApart: () => void ways?.apart().catch(failed),
     openRecord: () => chooseFile(".toml,.dxf,.svg,.json,.gz,application/json", (file) => void openFile(file).catch(failed)),
-    saveSvg: () => download(fileName(scene.name, "svg"), svgFile(made())),
-    savePng: () => void pngFile(made()).then((blob) => download(fileName(scene.name, "png"), blob), failed),
+    saveSvg: (asShown) => download(fileName(scene.name, "svg"), svgFile(made(asShown))),
+    savePng: (asShown) => void pngFile(made(asShown)).then((blob) => download(fileName(scene.name, "png"), blob), failed),
     saveModel: () => void editor?.model().then(save, failed),
     savePage: () => {
       download(fileName(scene.name, "html"), new Blob([pageFile(scene, addressNow())], { type: "text/html" }));
@@ -151,9 +167,7 @@ export function openPage({ scene, isOpened }: Shown, worker: string): Promise<vo
   new Toolbar(session, actions, (pair) => void select(pair), editor);
   if (editor && scene.source) {
     const { source } = scene;
-    // Requirements are measured apart from what the hand waits for.
-    let checks: Workshop | null = null;
-    design = new DesignPanel(session, editor, () => (checks ??= new Workshop(worker, source)));
+    design = new DesignPanel(session, editor, () => new Workshop(worker, source));
     new EditPanel(session, editor, actions);
   }
   listenToKeys(session, actions, { parts: partsView.viewport, plane: planeView.viewport });

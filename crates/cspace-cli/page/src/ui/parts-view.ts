@@ -8,6 +8,7 @@ import type { Place, ScenePart } from "../scene.js";
 import { set, svg } from "./dom.js";
 import { DragGoal } from "./drag-goal.js";
 import type { Editor } from "./edit.js";
+import { gridStep } from "./grid.js";
 import { isAt, partAt, touchesAt } from "./heights.js";
 import { lowerPair } from "./lower.js";
 import { Measure } from "./measure.js";
@@ -63,6 +64,7 @@ export class PartsView {
       fit: () => this.fit(),
       label: "The parts. Drag a part to move it; the wheel over the moving part turns it.",
       grab: (at, event) => this.#grab(at, event),
+      twist: () => this.#twist(),
       wheel: (at, event) => this.#wheel(at, event),
       double: (at) => editor?.addAt(at, this.viewport) ?? false,
     });
@@ -74,6 +76,14 @@ export class PartsView {
     this.#marks = svg("g", { class: "marks" });
     this.#handles = svg("g", { class: "handles" });
     this.viewport.overlay.append(this.#pivots, this.#names.group, this.#marks, this.#measure.group, this.#handles);
+    this.#handles.addEventListener("keydown", (event) => {
+      const [dx, dy] = ({ ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] } as Record<string, [number, number]>)[event.key] ?? [0, 0];
+      if (dx === 0 && dy === 0) return;
+      event.preventDefault();
+      event.stopPropagation();
+      const step = gridStep(this.viewport) * (event.shiftKey ? 0.1 : 1);
+      editor?.nudge(dx * step, dy * step, step);
+    });
     this.viewport.onView = () => this.#drawOverlay();
     editor?.onSelect.push(() => this.#drawOverlay());
     session.store.subscribe((changed, state) => this.#update(changed, state));
@@ -230,7 +240,10 @@ export class PartsView {
       }
     }
     this.#marks.replaceChildren(...marks);
+    // They are drawn anew: the one that has the focus keeps it.
+    const focused = this.#handles.contains(document.activeElement);
     this.#handles.replaceChildren(...(this.#editor?.handles(this.viewport) ?? []));
+    if (focused) this.#handles.querySelector<SVGElement>(".chosen")?.focus();
   }
 
   #pivotMarks(): SVGElement[] {
@@ -263,6 +276,10 @@ export class PartsView {
     if (edited) return edited;
     const part = partOf(event.target);
     const pair = this.#session.pair;
+    if (part !== null && this.#session.state.traced === "next") {
+      this.#session.store.change({ traced: { part, at: apply(inverse(this.#session.state.placements[part] ?? IDENTITY), at) } });
+      return { move: () => {} };
+    }
     if (part !== null && this.#hand && this.#session.state.whole) {
       return this.#session.state.parts[part]?.motion.type === "fixed" ? null : this.#hand.grab(part, at);
     }
@@ -312,6 +329,14 @@ export class PartsView {
     };
   }
 
+  /** Two fingers turn the moving part, on a part that can turn. */
+  #twist(): ((by: number, about: Place) => void) | null {
+    const { pair, state } = this.#session;
+    const motion = pair && state.parts[pair.moving]?.motion.type;
+    if (!pair || state.editing || state.measuring || state.whole || (motion !== "planar" && motion !== "revolute")) return null;
+    return (by, about) => this.#session.turn(by, apply(inverse(this.#session.state.placements[pair.moving] ?? IDENTITY), about));
+  }
+
   #wheel(at: Place, event: WheelEvent): boolean {
     const { state, pair } = this.#session;
     const part = partOf(event.target);
@@ -338,7 +363,8 @@ function lowerHinge({ pair, state }: Session): Place | null {
   return pair && pivot ? apply(state.placements[pair.fixed] ?? IDENTITY, pivot) : null;
 }
 
-function matrix(p: Placement): string {
+/** A placement as a transform of SVG. */
+export function matrix(p: Placement): string {
   const [c, s] = [Math.cos(p.theta), Math.sin(p.theta)];
   return `matrix(${c} ${s} ${-s} ${c} ${p.x} ${p.y})`;
 }

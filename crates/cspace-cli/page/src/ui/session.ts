@@ -75,6 +75,9 @@ export class Session {
       held: null,
       displaced: false,
       message: null,
+      checked: null,
+      compared: null,
+      traced: null,
     });
   }
 

@@ -174,7 +174,10 @@ export class SpaceView {
     if (changed.has("colouring")) this.#surface?.paint(state.colouring);
     if (changed.has("hidden") || changed.has("cut") || changed.has("space")) this.#surface?.show(state.hidden, state.cut);
     if (changed.has("theme")) this.applyTheme();
-    if (changed.has("dragging") && !state.dragging) this.#setCoarse(false);
+    if (changed.has("dragging") && !state.dragging) {
+      this.#setCoarse(false);
+      this.#draw();
+    }
     this.#draw();
   }
 
@@ -280,7 +283,12 @@ export class SpaceView {
       this.#frame = null;
       if (this.#pace.isBusy()) this.#draw();
       else {
-        if (this.#pace.isSlow && this.#session.state.dragging) this.#setCoarse(true);
+        const next = this.#pace.next(this.#session.state.dragging, this.#coarse);
+        // What is dragged in this view is seen nowhere else so well.
+        const waits = next === "none" && this.#controls.enabled;
+        this.#element.classList.toggle("waits", waits);
+        if (waits) return;
+        this.#setCoarse(next !== "fine");
         this.drawNow();
       }
     });

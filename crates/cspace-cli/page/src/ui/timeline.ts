@@ -4,12 +4,13 @@ import { button, html, say, set } from "./dom.js";
 import { isAxes } from "./mechanism.js";
 import { failure } from "./message.js";
 import { short } from "./numbers.js";
-import { pathAt, stateAt } from "./playable.js";
+import { pathAt, stateAt, stretches, timeAt } from "./playable.js";
 import type { PlayableRecord } from "./playable.js";
 import { RecordError } from "./record-json.js";
 import { readRecord, readRecordText } from "./records.js";
 import type { Session } from "./session.js";
 import type { Key } from "./state.js";
+import { atOnce, numbers } from "./strip-plot.js";
 import { UNCHANGED } from "./workshop.js";
 import type { Edits } from "./workshop.js";
 
@@ -29,6 +30,9 @@ export class Timeline {
   readonly #play: HTMLButtonElement;
   readonly #scrub: HTMLInputElement;
   readonly #ticks: HTMLElement;
+  readonly #track: HTMLElement;
+  readonly #loop: HTMLButtonElement;
+  readonly #trace: HTMLButtonElement;
   readonly #text: HTMLElement;
   readonly #choice: HTMLSelectElement;
   readonly #again = html("button", { type: "button", hidden: "" });
@@ -50,6 +54,11 @@ export class Timeline {
     this.#scrub = html("input", { type: "range", min: 0, max: 1, step: "any", value: 0, "aria-label": "Time" });
     this.#scrub.addEventListener("input", () => store.change({ time: Number(this.#scrub.value), playing: false }));
     this.#ticks = html("div", { class: "ticks" });
+    this.#track = html("div", { class: "track" }, this.#ticks, this.#scrub);
+    const pressed = (b: HTMLElement, on: boolean) => set(b, { "aria-pressed": String(on) });
+    this.#loop = button("Loop", () => pressed(this.#loop, !this.#isLoop), { class: "small", "aria-pressed": "false", title: "Play again and again" });
+    this.#trace = button("Trace", () => store.change({ traced: store.state.traced ? null : "next" }), { class: "small", title: "Then click a point of a part: the path that it takes is drawn" });
+    store.subscribe((changed, { traced }) => changed.has("traced") && pressed(this.#trace, traced !== null));
     this.#text = html("output", { class: "time-text" });
     const speed = html("select", { "aria-label": "Speed" }, ...SPEEDS.map((s) => html("option", { value: s }, `${s}×`)));
     speed.value = "1";
@@ -63,7 +72,7 @@ export class Timeline {
       again().catch((error: unknown) => store.change({ message: failure(error) }));
     });
     const close = button("✕", () => this.#choose(null), { "aria-label": "Close the record" });
-    parent.append(this.#choice, this.#play, html("div", { class: "track" }, this.#ticks, this.#scrub), speed, this.#text, this.#again, close);
+    parent.append(this.#choice, this.#play, this.#track, speed, this.#loop, this.#trace, this.#text, this.#again, close);
     for (const { name, record } of session.scene.records) this.#keep(() => readRecord(name, record));
     store.subscribe((changed) => this.#update(changed));
     const all = [...this.#records.keys()];
@@ -152,6 +161,10 @@ export class Timeline {
     return `${record.name}: the path is in ${isAxes(first) ? "(u, v)" : "(x, y, theta)"}, which the selected pair is not: select the pair it was planned for first`;
   }
 
+  get #isLoop(): boolean {
+    return this.#loop.ariaPressed === "true";
+  }
+
   toggle(): void {
     const { record, playing, time, stale } = this.#session.state;
     if (!record || stale) return;
@@ -177,7 +190,7 @@ export class Timeline {
     if (!record || this.#session.state.stale || !(["time", "record", "stale"] as Key[]).some((k) => changed.has(k))) return;
     this.#scrub.value = String(state.time);
     const told = [...record.ticks].reverse().find((t) => t.t <= state.time);
-    const [now, end] = record.kind === "plan" ? [state.time, record.duration] : [stateAt(record, state.time)?.time ?? 0, record.steps.at(-1)?.time ?? 0];
+    const [now, end] = [timeAt(record, state.time), timeAt(record, record.duration)];
     say(this.#text, `${short(Number(now.toFixed(3)))} s of ${short(end)} s · ${told ? told.text : record.summary}`);
     set(this.#text, { title: this.#text.textContent });
     if (changed.has("time")) this.#show(record, state.time);
@@ -202,9 +215,10 @@ export class Timeline {
   #tick(now: number): void {
     const { state, store } = this.#session;
     if (!state.playing || !state.record) return;
-    const time = state.time + ((now - this.#last) / 1000) * state.speed;
+    let time = state.time + ((now - this.#last) / 1000) * state.speed;
     this.#last = now;
-    const over = time >= state.record.duration;
+    if (this.#isLoop && time >= state.record.duration) time = 0;
+    const over = time >= state.record.duration && !this.#isLoop;
     store.change({ time: Math.min(time, state.record.duration), playing: !over });
     if (!over) requestAnimationFrame((next) => this.#tick(next));
   }
@@ -225,11 +239,15 @@ export class Timeline {
     if (!record) return;
     this.#choice.selectedIndex = [...this.#records.keys()].indexOf(record);
     set(this.#scrub, { max: record.duration });
+    this.#track.querySelector(".time-axis")?.remove();
+    this.#track.append(numbers(record));
     const named = record.ticks.length <= NAMED_TICKS;
+    const share = (t: number) => (record.duration > 0 ? (100 * t) / record.duration : 0);
     this.#ticks.replaceChildren(
+      ...stretches(record).map(([from, to]) => html("b", { title: atOnce, style: `left: ${share(from)}%; width: ${share(to - from)}%` })),
       ...record.ticks.map(({ t, text }) => {
         const tick = html("i", named ? { title: text } : {});
-        tick.style.left = `${record.duration > 0 ? (100 * t) / record.duration : 0}%`;
+        tick.style.left = `${share(t)}%`;
         return tick;
       }),
     );

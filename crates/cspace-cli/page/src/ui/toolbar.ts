@@ -2,10 +2,12 @@
 
 import type { Actions } from "./actions.js";
 import { isAssembly } from "./assembly-record.js";
+import { canKeep } from "./compare.js";
 import { button, byId, html, say, set } from "./dom.js";
 import type { Editor } from "./edit.js";
 import type { Session } from "./session.js";
 import type { Key } from "./state.js";
+import { themeText } from "./theme.js";
 
 export class Toolbar {
   constructor(session: Session, actions: Actions, select: (pair: number) => void, editor: Editor | null) {
@@ -35,8 +37,8 @@ export class Toolbar {
     const measure = tool("Measure", "Click two corners or edges of parts: their distance is shown, and follows them (m)", actions.toggleMeasure);
     const edit = editor ? tool("Edit", "Drag vertices, arcs and pivots", actions.toggleEdit) : null;
     tool("Open", "Open a model (TOML) or a drawing (DXF, SVG), or play what cspace plan or cspace simulate printed", actions.openRecord);
-    tool("SVG", "Save a picture as SVG", actions.saveSvg);
-    tool("PNG", "Save a picture as PNG", actions.savePng);
+    tool("SVG", "Save a picture as SVG; with Shift in the colours of the page", (event) => actions.saveSvg(event.shiftKey));
+    tool("PNG", "Save a picture as PNG; with Shift in the colours of the page", (event) => actions.savePng(event.shiftKey));
     tool("Save page", "Save this page as one file, with the model as it is changed", actions.savePage);
     const theme = tool("Theme", "Light, dark, or as the system", actions.toggleTheme);
     tool("?", "Help (?)", actions.help).setAttribute("aria-label", "Help");
@@ -50,11 +52,15 @@ export class Toolbar {
     const redo = tool("Redo", "Make it again (Ctrl-Shift-Z)", actions.redo, changes);
     tool("Save model", "Save the model as it is changed (TOML)", actions.saveModel, changes);
     const out = tool("Way out", "Plan a way from here to where the moving part is free, and play it; with Shift the widest", (event) => actions.wayOut(event.shiftKey), ways);
-    tool("Play mechanism", "Play the whole mechanism, as its drives move it", actions.playMechanism, ways);
+    const play = tool("Play mechanism", "Play the whole mechanism, as its drives move it", actions.playMechanism, ways);
+    disable(play, moves(session.scene.source?.model ?? "") ? null : "Nothing moves by itself: the model has no drives, loads, springs or masses");
     if (isAssembly(session.scene)) tool("Take apart", "Find how all parts come apart, one after the other, and play it", actions.takeApart, ways);
     const whole = tool("Push all parts", "What is dragged pushes all parts of the mechanism, and not the selected pair alone", actions.toggleWhole, ways);
+    const compare = tool("A | B", "", actions.toggleCompare, changes);
+    disable(whole, session.scene.parts.length > 2 ? null : "The selected pair is the whole mechanism");
 
     session.store.subscribe((changed, state) => {
+      if ((["scene", "space", "checked", "compared"] as Key[]).some((k) => changed.has(k))) canKeep(session, compare);
       if (changed.has("scene") || changed.has("parts")) {
         undo.disabled = !editor?.canUndo;
         redo.disabled = !editor?.canRedo;
@@ -69,15 +75,27 @@ export class Toolbar {
       pressed(edit, state.editing);
       pressed(measure, state.measuring);
       pressed(whole, state.whole);
-      say(theme, { auto: "Theme: auto", light: "Theme: light", dark: "Theme: dark" }[state.theme]);
+      pressed(compare, state.compared !== null);
+      say(theme, themeText(state.theme));
       if ((["pair", "scene", "space", "view"] as Key[]).some((k) => changed.has(k))) {
         const pair = session.pair;
         const axes = pair?.class === "fixed-axes";
-        out.hidden = space.hidden = axes || pair?.class === "lower";
+        slice.hidden = !pair || pair.class === "lower";
+        out.hidden = space.hidden = slice.hidden || axes;
         cut.hidden = space.hidden || state.view !== "space";
-        slice.hidden = pair?.class === "lower";
         say(slice, axes ? "Plane" : "Slice");
       }
     });
   }
+}
+
+/** A button that would do nothing says why. */
+function disable(b: HTMLButtonElement, why: string | null): void {
+  b.disabled = why !== null;
+  if (why !== null) b.title = why;
+}
+
+/** Whether anything in a model moves by itself, by its TOML as the program writes it. */
+function moves(model: string): boolean {
+  return /^\[\[(drive|load|spring)\]\]|^(mass|density) *=/m.test(model);
 }

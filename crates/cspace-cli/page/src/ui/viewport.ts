@@ -5,6 +5,7 @@ import { set, svg } from "./dom.js";
 import { gridLines, heldScale, lineText } from "./grid.js";
 import { angleStep, lengthStep } from "./numbers.js";
 import type { Box } from "./outline.js";
+import { turnBetween } from "./placement.js";
 
 /** What is dragged, if not the plane itself. */
 export interface Drag {
@@ -20,6 +21,8 @@ export interface ViewportOptions {
   fit(): void;
   /** Begins to drag what is at a place; null if there is nothing. */
   grab(at: Place, event: PointerEvent): Drag | null;
+  /** Of a part that one finger has taken: turns it, as a second finger goes about the first; null where the two zoom. */
+  twist?(event: PointerEvent): ((by: number, about: Place) => void) | null;
   /** Whether the wheel is for what is at a place, and not to zoom. */
   wheel?(at: Place, event: WheelEvent): boolean;
   /** Whether a double click is for what is at a place, and not to show everything. */
@@ -70,6 +73,7 @@ export class Viewport {
   readonly #pointers = new Map<number, { x: number; y: number }>();
   #drag: Drag | null = null;
   #dragPointer = -1;
+  #twist: ((by: number, about: Place) => void) | null = null;
 
   constructor(parent: HTMLElement, options: ViewportOptions) {
     this.#options = options;
@@ -77,7 +81,7 @@ export class Viewport {
     this.#grid = svg("path", { class: "grid" });
     this.#axes = svg("path", { class: "grid-axes" });
     this.world = svg("g");
-    this.#numbers = svg("g", { class: "grid-numbers" });
+    this.#numbers = svg("g", { class: "grid-numbers", "aria-hidden": "true" });
     this.overlay = svg("g");
     this.svg.append(this.#grid, this.#axes, this.world, this.#numbers, this.overlay);
     parent.append(this.svg);
@@ -214,8 +218,10 @@ export class Viewport {
       if (event.button !== 0 && event.button !== 1) return;
       element.setPointerCapture(event.pointerId);
       this.#pointers.set(event.pointerId, { x: event.clientX, y: event.clientY });
-      if (this.#pointers.size > 1) this.#endDrag();
-      else if (event.button === 0) {
+      if (this.#pointers.size > 1) {
+        this.#twist = (this.#drag && this.#options.twist?.(event)) || null;
+        this.#endDrag();
+      } else if (event.button === 0) {
         this.#drag = this.#options.grab(this.toWorld(event), event);
         this.#dragPointer = event.pointerId;
       }
@@ -232,6 +238,12 @@ export class Viewport {
       if (other) {
         const was = Math.hypot(before.x - other.x, before.y - other.y);
         const is = Math.hypot(event.clientX - other.x, event.clientY - other.y);
+        if (this.#twist) {
+          const by = turnBetween({ x: before.x - other.x, y: other.y - before.y }, { x: event.clientX - other.x, y: other.y - event.clientY });
+          this.#twist(by, this.toWorld({ clientX: other.x, clientY: other.y }));
+          this.#pointers.set(event.pointerId, { x: event.clientX, y: event.clientY });
+          return;
+        }
         const middle = { clientX: (event.clientX + other.x) / 2, clientY: (event.clientY + other.y) / 2 };
         if (was > 0 && is > 0) this.zoom(is / was, this.toWorld(middle));
         this.#pan((event.clientX - before.x) / 2, (event.clientY - before.y) / 2);
@@ -242,6 +254,7 @@ export class Viewport {
     });
     const up = (event: PointerEvent) => {
       this.#pointers.delete(event.pointerId);
+      this.#twist = null;
       if (event.pointerId === this.#dragPointer) this.#endDrag();
     };
     element.addEventListener("pointerup", up);
