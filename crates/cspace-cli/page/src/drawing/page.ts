@@ -13,8 +13,7 @@ import { regionColour } from "../ui/colours.js";
 import type { SceneVertex } from "../scene.js";
 import { followTheme, themeText } from "../ui/theme.js";
 import { Viewport } from "../ui/viewport.js";
-import { NOTHING, clicked, fragment, fromFragment, imported, joined, options, partOf, removed, renamed, request, wrongName } from "./picks.js";
-import type { Picks } from "./picks.js";
+import { NOTHING, clicked, fragment, fromFragment, imported, joined, options, partOf, removed, renamed, request, wrongName, type Picks } from "./picks.js";
 import type { DrawingScene } from "./scene.js";
 import { sourceInUtf8 } from "./utf8.js";
 

@@ -5,8 +5,7 @@ import type { Scene, View } from "../scene.js";
 import type { Colouring } from "./colours.js";
 import { isUsable } from "./numbers.js";
 import type { State, Theme } from "./state.js";
-import { UNCHANGED } from "./workshop.js";
-import type { Edits, PartEdit } from "./workshop.js";
+import { UNCHANGED, type Edits, type PartEdit } from "./workshop.js";
 
 export interface Address {
   pair?: number;

@@ -8,8 +8,7 @@ import { LARGEST_NUMBER, degrees, isUsable, rounded, short } from "./numbers.js"
 import { widened } from "./ranges.js";
 import { Requirements } from "./requirements.js";
 import type { Session } from "./session.js";
-import { Thresholds } from "./thresholds.js";
-import type { Found, Mark } from "./thresholds.js";
+import { Thresholds, type Found, type Mark } from "./thresholds.js";
 import { unhurried } from "./unhurried.js";
 import type { Workshop } from "./workshop.js";
 

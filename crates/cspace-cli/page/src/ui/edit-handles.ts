@@ -5,8 +5,7 @@ import { set, svg } from "./dom.js";
 import { nearestOn } from "./edit-shape.js";
 import { short } from "./numbers.js";
 import { edgeOf, middleOf } from "./outline.js";
-import { IDENTITY, apply, inverse } from "./placement.js";
-import type { Placement } from "./placement.js";
+import { IDENTITY, apply, inverse, type Placement } from "./placement.js";
 import type { Viewport } from "./viewport.js";
 
 export interface Edited {

@@ -2,10 +2,8 @@
 
 import type { Kernel } from "../kernel/api.js";
 import type { Place, ScenePair, SceneSetting } from "../scene.js";
-import { Handles, isSame } from "./edit-handles.js";
-import type { Edited, Handle, VertexHandle } from "./edit-handles.js";
-import { addVertex, bend, moveVertex, removeVertex, setRadius } from "./edit-shape.js";
-import type { Loop } from "./edit-shape.js";
+import { Handles, isSame, type Edited, type Handle, type VertexHandle } from "./edit-handles.js";
+import { addVertex, bend, moveVertex, removeVertex, setRadius, type Loop } from "./edit-shape.js";
 import { gridStep, snapped } from "./grid.js";
 import { loopsAt } from "./heights.js";
 import { isAxes } from "./mechanism.js";
@@ -14,8 +12,7 @@ import { IDENTITY, apply, inverse } from "./placement.js";
 import { regionChanges } from "./region-changes.js";
 import type { Fetcher, Session } from "./session.js";
 import type { Drag, Viewport } from "./viewport.js";
-import { UNCHANGED, WorkError } from "./workshop.js";
-import type { EditAnswer, Edits, PartEdit, Workshop } from "./workshop.js";
+import { UNCHANGED, WorkError, type EditAnswer, type Edits, type PartEdit, type Workshop } from "./workshop.js";
 
 export interface EditReport {
   /** Of the last answer: the space alone, and until it was here (s). */

@@ -2,10 +2,8 @@
 
 import { button, download, fileName, html, say, set, svg } from "./dom.js";
 import { degrees, length, within } from "./numbers.js";
-import { stretches } from "./playable.js";
-import { csvOf, graphOf, seriesOf, valueAt } from "./record-series.js";
-import type { PlayableRecord } from "./playable.js";
-import type { Series } from "./record-series.js";
+import { stretches, type PlayableRecord } from "./playable.js";
+import { csvOf, graphOf, seriesOf, valueAt, type Series } from "./record-series.js";
 import type { Session } from "./session.js";
 import type { Key } from "./state.js";
 import { HEIGHT, WIDTH, atOnce, numbers, shareAt, stretched } from "./strip-plot.js";

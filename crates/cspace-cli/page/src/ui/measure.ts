@@ -1,16 +1,13 @@
 /** Measuring: two clicks on corners or edges give their distance, which follows the parts. */
 
 import type { Place, ScenePart } from "../scene.js";
-import { distanceOf } from "./distance.js";
-import type { Measured } from "./distance.js";
+import { distanceOf, type Measured } from "./distance.js";
 import { svg } from "./dom.js";
 import { nearestOn } from "./edit-shape.js";
 import { loopsAt } from "./heights.js";
 import { length, rounded } from "./numbers.js";
-import { arcOf, edgeOf, edgePath } from "./outline.js";
-import type { Edge } from "./outline.js";
-import { IDENTITY, apply } from "./placement.js";
-import type { Placement } from "./placement.js";
+import { arcOf, edgeOf, edgePath, type Edge } from "./outline.js";
+import { IDENTITY, apply, type Placement } from "./placement.js";
 import type { Session } from "./session.js";
 import type { Drag, Viewport } from "./viewport.js";
 

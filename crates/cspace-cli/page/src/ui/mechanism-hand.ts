@@ -2,8 +2,7 @@
 
 import type { Place } from "../scene.js";
 import { busy, failure } from "./message.js";
-import { IDENTITY, apply, coordinateOf, inverse, ofMotion } from "./placement.js";
-import type { Placement } from "./placement.js";
+import { IDENTITY, apply, coordinateOf, inverse, ofMotion, type Placement } from "./placement.js";
 import type { Session } from "./session.js";
 import type { Drag } from "./viewport.js";
 import type { Edits, Workshop } from "./workshop.js";

@@ -2,8 +2,7 @@
 
 import type { AxesConfiguration, Configuration, PlanarConfiguration } from "../kernel/api.js";
 import type { Place, Scene, SceneJoint, ScenePair } from "../scene.js";
-import { IDENTITY, apply, compose, coordinateOf, ofMotion, relative, rotate, turnAbout, unit } from "./placement.js";
-import type { Placement } from "./placement.js";
+import { IDENTITY, apply, compose, coordinateOf, ofMotion, relative, rotate, turnAbout, unit, type Placement } from "./placement.js";
 
 export function isAxes(c: Configuration): c is AxesConfiguration {
   return "u" in c;

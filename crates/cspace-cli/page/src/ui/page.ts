@@ -2,8 +2,7 @@
 
 import type { Scene } from "../scene.js";
 import type { Actions } from "./actions.js";
-import { USUAL, readAddress, usualView, writeAddress } from "./address.js";
-import type { Address } from "./address.js";
+import { USUAL, readAddress, usualView, writeAddress, type Address } from "./address.js";
 import { isAssembly, orderOf } from "./assembly-record.js";
 import { byId, download, fileName, say } from "./dom.js";
 import { Comparison } from "./compare.js";
@@ -22,8 +21,7 @@ import { Legend } from "./legend.js";
 import { MechanismHand } from "./mechanism-hand.js";
 import { answer, failure, showMessage } from "./message.js";
 import { PartsView } from "./parts-view.js";
-import { picture, pngFile, svgFile } from "./pictures.js";
-import type { Pane } from "./pictures.js";
+import { picture, pngFile, svgFile, type Pane } from "./pictures.js";
 import { PlaneView } from "./plane-view.js";
 import { Readout } from "./readout.js";
 import { pageFile, savedAddress } from "./save-page.js";
@@ -43,8 +41,7 @@ import { Timeline } from "./timeline.js";
 import { showTrace } from "./trace.js";
 import { Toolbar } from "./toolbar.js";
 import { Ways } from "./ways.js";
-import { UNCHANGED, Workshop } from "./workshop.js";
-import type { Edits } from "./workshop.js";
+import { UNCHANGED, Workshop, type Edits } from "./workshop.js";
 
 /** The address is written once the state has not changed for this long (ms): browsers refuse to write it at every frame. */
 const ADDRESS_DELAY = 250;

@@ -15,13 +15,11 @@ import { Measure } from "./measure.js";
 import { placed } from "./mechanism.js";
 import { boxOf, edgeOf, edgePath, emptyBox, featurePlace, grow, outlinePath } from "./outline.js";
 import { PartNames } from "./part-names.js";
-import { IDENTITY, TURN, apply, coordinateOf, inverse, ofMotion, rotate, shortestTurn, unit } from "./placement.js";
-import type { Placement } from "./placement.js";
+import { IDENTITY, TURN, apply, coordinateOf, inverse, ofMotion, rotate, shortestTurn, unit, type Placement } from "./placement.js";
 import type { MechanismHand } from "./mechanism-hand.js";
 import type { Session } from "./session.js";
 import type { Key, State } from "./state.js";
-import { Viewport, wheelAngle, wheelSlide } from "./viewport.js";
-import type { Drag } from "./viewport.js";
+import { Viewport, wheelAngle, wheelSlide, type Drag } from "./viewport.js";
 
 /** Lengths in pixels. */
 const NORMAL_ARROW = 34;

@@ -9,16 +9,14 @@ import { set, svg } from "./dom.js";
 import { isAxes } from "./mechanism.js";
 import { Lens, lensBox } from "./lens.js";
 import { degrees, length, rounded } from "./numbers.js";
-import { emptyBox, grow } from "./outline.js";
-import type { Box } from "./outline.js";
+import { emptyBox, grow, type Box } from "./outline.js";
 import { TURN, wrap } from "./placement.js";
 import { playOf } from "./play.js";
 import type { Session } from "./session.js";
 import { pointMark } from "./slice-view.js";
 import type { Key, State } from "./state.js";
 import { unhurried } from "./unhurried.js";
-import { Viewport, wheelSlide } from "./viewport.js";
-import type { Drag } from "./viewport.js";
+import { Viewport, wheelSlide, type Drag } from "./viewport.js";
 
 const GRAB = 26;
 /** Curves are drawn within this share of the smaller extent of the plane. */

@@ -2,8 +2,7 @@
 
 import type { ScenePart } from "../scene.js";
 import { rounded } from "./numbers.js";
-import { timeAt } from "./playable.js";
-import type { PlayableRecord } from "./playable.js";
+import { timeAt, type PlayableRecord } from "./playable.js";
 
 export interface Series {
   /** Such as `wheel`, or `ring x`. */

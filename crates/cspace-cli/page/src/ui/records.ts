@@ -3,8 +3,7 @@
 import { readAssembly } from "./assembly-record.js";
 import { distance } from "./legs.js";
 import type { Placement } from "./placement.js";
-import { playedAt } from "./playable.js";
-import type { Load, PlayableRecord, Sample } from "./playable.js";
+import { playedAt, type Load, type PlayableRecord, type Sample } from "./playable.js";
 import { RecordError, array, configuration, isObject, number, type Json } from "./record-json.js";
 
 /** A planned path has no times: it is played in this many seconds. */

@@ -8,8 +8,7 @@ import { requirementMark, requirementText } from "./requirement-text.js";
 import type { Session } from "./session.js";
 import { HEIGHT, WIDTH, axes, shareAt, stretched } from "./strip-plot.js";
 import { unhurried } from "./unhurried.js";
-import { WorkError } from "./workshop.js";
-import type { CheckRow, Edits, Workshop } from "./workshop.js";
+import { WorkError, type CheckRow, type Edits, type Workshop } from "./workshop.js";
 
 /** Requirements are measured so much after the last change (ms). */
 const PAUSE = 150;

@@ -9,8 +9,7 @@ import { DragGoal } from "./drag-goal.js";
 import { isPlanar } from "./mechanism.js";
 import { Lens, lensBox } from "./lens.js";
 import { length, rounded } from "./numbers.js";
-import { emptyBox, grow } from "./outline.js";
-import type { Box } from "./outline.js";
+import { emptyBox, grow, type Box } from "./outline.js";
 import { playOf } from "./play.js";
 import type { Session } from "./session.js";
 import { sliceExtent } from "./slice-extent.js";
@@ -18,8 +17,7 @@ import { FAR, currentSlice, refine, swings } from "./slices.js";
 import type { Key, State } from "./state.js";
 import { unhurried } from "./unhurried.js";
 import { cagedIn } from "./verdict.js";
-import { Viewport, wheelAngle } from "./viewport.js";
-import type { Drag } from "./viewport.js";
+import { Viewport, wheelAngle, type Drag } from "./viewport.js";
 
 /** How near to the point it is grabbed, in pixels; fingers are thicker than mice. */
 const GRAB = 26;

@@ -1,7 +1,6 @@
 /** The box of the 3-D view with its axes, whose numbers are text of the page laid over the picture. */
 
-import { BufferAttribute, BufferGeometry, Group, LineBasicMaterial, LineSegments, Vector3 } from "three";
-import type { Camera } from "three";
+import { BufferAttribute, BufferGeometry, Group, LineBasicMaterial, LineSegments, Vector3, type Camera } from "three";
 import { html, say } from "./dom.js";
 import { gridLines, lineText } from "./grid.js";
 import { angleStep, degrees, lengthStep } from "./numbers.js";

@@ -24,8 +24,7 @@ import { TOUCHING } from "./colours.js";
 import { isPlanar } from "./mechanism.js";
 import { TURN, wrap } from "./placement.js";
 import { turnsOf } from "./surface.js";
-import type { SpaceScale } from "./space-scale.js";
-import { swing } from "./space-scale.js";
+import { type SpaceScale, swing } from "./space-scale.js";
 
 /** Widths of lines and the size of the point, in pixels. */
 const SLICE_WIDTH = 3;

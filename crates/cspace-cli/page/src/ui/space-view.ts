@@ -16,8 +16,7 @@ import { SpaceAxes } from "./space-axes.js";
 import { SpaceMarks } from "./space-marks.js";
 import type { Key, State } from "./state.js";
 import { Surface } from "./surface.js";
-import { swing } from "./space-scale.js";
-import type { SpaceScale } from "./space-scale.js";
+import { swing, type SpaceScale } from "./space-scale.js";
 import { wheelAngle } from "./viewport.js";
 
 /** How near to the point it is grabbed, in pixels. */

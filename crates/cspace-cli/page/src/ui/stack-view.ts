@@ -5,8 +5,7 @@
 
 import type { ScenePart } from "../scene.js";
 import { html, set, svg } from "./dom.js";
-import { intervalsOf, isAt, middleOf } from "./heights.js";
-import type { Interval } from "./heights.js";
+import { intervalsOf, isAt, middleOf, type Interval } from "./heights.js";
 import { length, short } from "./numbers.js";
 import { boxOf } from "./outline.js";
 import type { Session } from "./session.js";

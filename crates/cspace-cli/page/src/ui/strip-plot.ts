@@ -1,8 +1,7 @@
 /** The drawing of a strip: it is stretched to the strip's size, and has a cursor at the share `--at` of its width. */
 
 import { html, svg } from "./dom.js";
-import { timeNumbers } from "./playable.js";
-import type { PlayableRecord } from "./playable.js";
+import { timeNumbers, type PlayableRecord } from "./playable.js";
 import { SNAP_SECONDS } from "./records.js";
 
 /** The drawing's own width and height. */

@@ -2,8 +2,7 @@
 
 import type { Editor } from "./edit.js";
 import type { Session } from "./session.js";
-import { WorkError } from "./workshop.js";
-import type { CheckRow, Goal, RegionChange, Workshop } from "./workshop.js";
+import { WorkError, type CheckRow, type Goal, type RegionChange, type Workshop } from "./workshop.js";
 
 export interface Mark {
   at: number;

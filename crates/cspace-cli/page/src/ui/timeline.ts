@@ -4,15 +4,13 @@ import { button, html, say, set } from "./dom.js";
 import { isAxes } from "./mechanism.js";
 import { failure } from "./message.js";
 import { short } from "./numbers.js";
-import { pathAt, stateAt, stretches, timeAt } from "./playable.js";
-import type { PlayableRecord } from "./playable.js";
+import { pathAt, stateAt, stretches, timeAt, type PlayableRecord } from "./playable.js";
 import { RecordError } from "./record-json.js";
 import { readRecord, readRecordText } from "./records.js";
 import type { Session } from "./session.js";
 import type { Key } from "./state.js";
 import { atOnce, numbers } from "./strip-plot.js";
-import { UNCHANGED } from "./workshop.js";
-import type { Edits } from "./workshop.js";
+import { UNCHANGED, type Edits } from "./workshop.js";
 
 const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4] as const;
 /** So many ticks can be told apart by screen readers and pointers; more are drawn without a name. */

@@ -3,8 +3,7 @@
 import { set, svg } from "./dom.js";
 import { pathOf } from "./curves.js";
 import { placed } from "./mechanism.js";
-import { IDENTITY, apply } from "./placement.js";
-import type { Placement } from "./placement.js";
+import { IDENTITY, apply, type Placement } from "./placement.js";
 import { pathAt } from "./playable.js";
 import type { Session } from "./session.js";
 import type { Key } from "./state.js";

@@ -10,9 +10,8 @@ import { playOf } from "./play.js";
 import { heldOneWay, pushesOf } from "./pushes.js";
 import type { Session } from "./session.js";
 import type { Key } from "./state.js";
-import { cagedIn, details, headline, regionOf, standing } from "./verdict.js";
+import { cagedIn, details, headline, regionOf, standing, type Told } from "./verdict.js";
 import { unhurried } from "./unhurried.js";
-import type { Told } from "./verdict.js";
 
 /** Play is told so much later than the headline (ms): it is found by motions. */
 const PAUSE = 120;

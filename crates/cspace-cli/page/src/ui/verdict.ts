@@ -3,11 +3,9 @@
 import type { AxisInfo, Kernel } from "../kernel/api.js";
 import type { ScenePair, SceneRange } from "../scene.js";
 import { degrees, length, rounded as shown } from "./numbers.js";
-import { widthOf } from "./play.js";
-import type { Way } from "./play.js";
+import { widthOf, type Way } from "./play.js";
 import { TURN } from "./placement.js";
-import { heldOneWay } from "./pushes.js";
-import type { Pushes } from "./pushes.js";
+import { heldOneWay, type Pushes } from "./pushes.js";
 import type { Where } from "./state.js";
 
 export interface Told {
