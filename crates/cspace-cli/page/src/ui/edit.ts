@@ -195,10 +195,7 @@ export class Editor {
     this.#begun = begin;
     this.#waiting = false;
     const index = this.#session.state.pair;
-    const asked = await this.#workshop.edit(index, this.edits).then(
-      (answer) => ({ answer }),
-      (error: unknown) => ({ error }),
-    );
+    const asked = await this.#workshop.edit(index, this.edits).then((answer) => ({ answer }), (error: unknown) => ({ error }));
     const roundTrip = (performance.now() - begin) / 1000;
     // The worker goes on while the answer is shown.
     this.#begun = null;

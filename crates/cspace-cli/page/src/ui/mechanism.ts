@@ -57,12 +57,7 @@ export function placed(
 }
 
 /** Takes along what is joined to parts that have moved, from joint to joint. */
-export function followJoints(
-  scene: Scene,
-  before: readonly Placement[],
-  now: readonly Placement[],
-  given: readonly number[],
-): Placement[] {
+export function followJoints(scene: Scene, before: readonly Placement[], now: readonly Placement[], given: readonly number[]): Placement[] {
   const result = [...now];
   const settled = new Set(given);
   const queue = [...given];

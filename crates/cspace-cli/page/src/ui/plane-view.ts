@@ -197,10 +197,7 @@ export class PlaneView {
     const [du, dv] = [c.u - at.x, c.v - at.y];
     const { store } = this.#session;
     store.change({ dragging: true, playing: false });
-    return {
-      move: (to) => this.#session.aim({ u: to.x + du, v: to.y + dv }),
-      end: () => store.change({ dragging: false }),
-    };
+    return { move: (to) => this.#session.aim({ u: to.x + du, v: to.y + dv }), end: () => store.change({ dragging: false }) };
   }
 
   #wheel(_at: Place, event: WheelEvent): boolean {

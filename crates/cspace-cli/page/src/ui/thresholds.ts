@@ -28,10 +28,7 @@ const SAME = 1e-6;
 export function goalsOf({ name, limits, equals, value }: CheckRow): Goal[] {
   if (equals !== undefined || typeof value === "boolean") return [{ requirement: name, relation: "equal", value: equals ?? true }];
   const [lo = -Infinity, hi = Infinity] = limits ?? [];
-  const all: Goal[] = [
-    { requirement: name, relation: "at-least", value: lo },
-    { requirement: name, relation: "at-most", value: hi },
-  ];
+  const all: Goal[] = [{ requirement: name, relation: "at-least", value: lo }, { requirement: name, relation: "at-most", value: hi }];
   return all.filter((goal) => Number.isFinite(goal.value));
 }
 

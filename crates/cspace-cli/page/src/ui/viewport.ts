@@ -106,10 +106,7 @@ export class Viewport {
   }
 
   toScreen(p: Place): Place {
-    return {
-      x: this.#width / 2 + (p.x - this.#center.x) * this.#scale.x,
-      y: this.#height / 2 - (p.y - this.#center.y) * this.#scale.y,
-    };
+    return { x: this.#width / 2 + (p.x - this.#center.x) * this.#scale.x, y: this.#height / 2 - (p.y - this.#center.y) * this.#scale.y };
   }
 
   toWorld(client: { clientX: number; clientY: number }): Place {
