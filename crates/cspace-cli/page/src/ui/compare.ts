@@ -32,11 +32,9 @@ function kept(session: Session): Kept {
 }
 
 export class Comparison {
-  readonly #session: Session;
   readonly #element = byId("compare");
 
-  constructor(session: Session, { world }: Viewport) {
-    this.#session = session;
+  constructor(private readonly session: Session, { world }: Viewport) {
     const ghosts = svg("g", { class: "ghosts" });
     world.append(ghosts);
     session.store.subscribe((changed, { compared }) => {
@@ -51,15 +49,15 @@ export class Comparison {
 
   /** Keeps the present state as A, or lets A go. */
   toggle(): void {
-    const { store, state } = this.#session;
-    store.change({ compared: state.compared ? null : kept(this.#session) });
+    const { store, state } = this.session;
+    store.change({ compared: state.compared ? null : kept(this.session) });
   }
 
   #draw(): void {
-    const a = this.#session.state.compared;
+    const a = this.session.state.compared;
     if (!a) return;
-    const { scene, state } = this.#session;
-    const b = kept(this.#session);
+    const { scene, state } = this.session;
+    const b = kept(this.session);
     const same = a.pair === b.pair;
     const row = (name: string, x: Node | string, y: Node | string) => html("tr", {}, html("th", { scope: "row" }, name), html("td", {}, x), html("td", {}, y));
     const parameters = [...b.parameters].filter(([name, value]) => a.parameters.get(name) !== value);

@@ -37,8 +37,6 @@ interface Row {
 }
 
 export class DesignPanel {
-  readonly #session: Session;
-  readonly #editor: Editor;
   readonly #rows: Row[];
   readonly #following = html("p", { class: "faint" });
   /** What became of the last value: regions that opened or closed, or why there is no such model. */
@@ -54,9 +52,7 @@ export class DesignPanel {
   #held: HTMLInputElement | null = null;
 
   /** `work` starts a worker for requirements, and one for marks, apart from what the hand waits for. */
-  constructor(session: Session, editor: Editor, work: () => Workshop) {
-    this.#session = session;
-    this.#editor = editor;
+  constructor(private readonly session: Session, private readonly editor: Editor, work: () => Workshop) {
     const design = session.scene.design;
     const parameters = design?.parameters ?? [];
     this.#rows = parameters.filter((p) => p.expression === null).map((p) => this.#row(p));
@@ -87,7 +83,7 @@ export class DesignPanel {
 
   #row(parameter: SceneParameter): Row {
     const { name, range, is_angle, is_count } = parameter;
-    const comment = commentOf(this.#session.scene.source?.design?.text ?? "", name);
+    const comment = commentOf(this.session.scene.source?.design?.text ?? "", name);
     const words = `${name}${comment ? `, ${comment}` : ""}`;
     const unit = is_angle ? DEGREE : 1;
     const step = is_count ? 1 : niceStep((range[1] - range[0]) / unit / STEPS);
@@ -187,7 +183,7 @@ export class DesignPanel {
     const share = Math.min(1, Math.max(0, now - begin) / PLAYED);
     const value = (lo + share * (hi - lo)) / (row.parameter.is_angle ? DEGREE : 1);
     this.#played = share < 1 ? { ...this.#played, first: false } : null;
-    this.#editor.setParameters([settingOf(row.parameter, row.parameter.is_count ? Math.round(value) : rounded(value, 6))], first);
+    this.editor.setParameters([settingOf(row.parameter, row.parameter.is_count ? Math.round(value) : rounded(value, 6))], first);
     if (this.#played) return;
     say(row.play, "▶");
     this.#touch(row);
@@ -200,14 +196,14 @@ export class DesignPanel {
 
   /** Sets a value, of an angle in degrees. */
   #set(row: Row, value: number, isFirst: boolean): void {
-    this.#editor.setParameters([settingOf(row.parameter, value)], isFirst);
+    this.editor.setParameters([settingOf(row.parameter, value)], isFirst);
     if (this.#touched !== row) this.#touch(row);
   }
 
   /** Shows the values as they were answered; what is in a hand stays as it is. */
   #follow(): void {
-    const now = this.#session.scene.design?.parameters ?? [];
-    const given: ReadonlyMap<string, SceneSetting> = new Map(this.#editor.set.map((s) => [s.name, s]));
+    const now = this.session.scene.design?.parameters ?? [];
+    const given: ReadonlyMap<string, SceneSetting> = new Map(this.editor.set.map((s) => [s.name, s]));
     for (const row of this.#rows) {
       const { parameter, slider, field, range } = row;
       const answered = now.find((p) => p.name === parameter.name)?.value ?? parameter.value;

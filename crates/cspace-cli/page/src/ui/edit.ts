@@ -37,8 +37,6 @@ export class Editor {
   readonly listeners: ((report: EditReport) => void)[] = [];
   readonly onSelect: (() => void)[] = [];
   selected: Handle | null = null;
-  readonly #session: Session;
-  readonly #workshop: Workshop;
   /** Gets pairs of the model as it was opened. */
   readonly #opener: Fetcher;
   #shape: Shape;
@@ -53,9 +51,7 @@ export class Editor {
   #begun: number | null = null;
   #waiting = false;
 
-  constructor(session: Session, workshop: Workshop, opener: Fetcher) {
-    this.#session = session;
-    this.#workshop = workshop;
+  constructor(private readonly session: Session, private readonly workshop: Workshop, opener: Fetcher) {
     this.#opener = opener;
     this.#shape = { parts: session.scene.parts.map(({ loops, motion }) => ({ loops, motion, offset: 0, byHand: false })), set: [] };
     session.fetcher = (pair) => {
@@ -106,8 +102,8 @@ export class Editor {
 
   /** Takes all changes from elsewhere, as one that can be undone; fails, and changes nothing, where they are none of this model. */
   async restore(edits: Edits): Promise<void> {
-    const index = this.#session.state.pair;
-    const answer = await this.#workshop.edit(index, edits);
+    const index = this.session.state.pair;
+    const answer = await this.workshop.edit(index, edits);
     this.#remember();
     const parts = this.#shape.parts.map((e, i) => {
       const edited = edits.parts.find((p) => p.index === i);
@@ -123,14 +119,14 @@ export class Editor {
     for (;;) {
       const version = this.#version;
       const edits = this.edits;
-      const answer = edits.parts.length === 0 && edits.set.length === 0 ? await this.#opener(pair) : (await this.#workshop.edit(pair, edits)).pair;
+      const answer = edits.parts.length === 0 && edits.set.length === 0 ? await this.#opener(pair) : (await this.workshop.edit(pair, edits)).pair;
       // Parts that were edited meanwhile have another space.
       if (version === this.#version) return answer;
     }
   }
 
   async model(): Promise<string> {
-    return this.#workshop.model(this.edits);
+    return this.workshop.model(this.edits);
   }
 
   undo(): void {
@@ -170,12 +166,12 @@ export class Editor {
 
   #changed(): void {
     this.#version += 1;
-    const parts = this.#session.state.parts.map((part, i) => {
+    const parts = this.session.state.parts.map((part, i) => {
       const e = this.#shape.parts[i];
       // A part that is offset, or follows parameters, is shown as it is answered.
       return !e || e.offset !== 0 || !e.byHand ? part : { ...part, loops: e.loops, motion: e.motion };
     });
-    this.#session.store.change({ parts });
+    this.session.store.change({ parts });
     this.#send();
     this.#select(this.selected);
   }
@@ -184,7 +180,7 @@ export class Editor {
     if (this.#begun !== null) {
       this.#waiting = true;
       // What takes long is of a shape that is no longer drawn.
-      if (performance.now() - this.#begun > PATIENCE) this.#workshop.cancel();
+      if (performance.now() - this.#begun > PATIENCE) this.workshop.cancel();
       return;
     }
     void this.#request();
@@ -194,20 +190,20 @@ export class Editor {
     const begin = performance.now();
     this.#begun = begin;
     this.#waiting = false;
-    const index = this.#session.state.pair;
-    const asked = await this.#workshop.edit(index, this.edits).then((answer) => ({ answer }), (error: unknown) => ({ error }));
+    const index = this.session.state.pair;
+    const asked = await this.workshop.edit(index, this.edits).then((answer) => ({ answer }), (error: unknown) => ({ error }));
     const roundTrip = (performance.now() - begin) / 1000;
     // The worker goes on while the answer is shown.
     this.#begun = null;
     if (this.#waiting) void this.#request();
     try {
       if ("error" in asked) throw asked.error;
-      const before = { pair: this.#session.pair, kernel: this.#session.kernel };
+      const before = { pair: this.session.pair, kernel: this.session.kernel };
       this.#take(asked.answer, index);
-      this.#report({ seconds: asked.answer.pair.seconds, roundTrip, changes: index === this.#session.state.pair ? this.#changesSince(before) : "", error: null });
+      this.#report({ seconds: asked.answer.pair.seconds, roundTrip, changes: index === this.session.state.pair ? this.#changesSince(before) : "", error: null });
     } catch (error) {
       if (error instanceof WorkError && error.cancelled) return;
-      this.#session.store.change({ outdated: true });
+      this.session.store.change({ outdated: true });
       this.#report({ seconds: NaN, roundTrip, changes: "", error: error instanceof Error ? error.message : String(error) });
     }
   }
@@ -226,15 +222,15 @@ export class Editor {
         return e.byHand || !part ? e : { ...e, loops: part.loops, motion: part.motion };
       }),
     };
-    this.#session.replaceParts(parts, answer.design, index, answer.pair);
+    this.session.replaceParts(parts, answer.design, index, answer.pair);
     // A part on a pivot that was moved is elsewhere by the same angle.
-    const { configuration } = this.#session.state;
-    if (isAxes(configuration)) this.#session.setConfiguration(configuration);
-    this.#session.store.change({ outdated: false });
+    const { configuration } = this.session.state;
+    if (isAxes(configuration)) this.session.setConfiguration(configuration);
+    this.session.store.change({ outdated: false });
   }
 
   #changesSince(before: { pair: ScenePair | undefined; kernel: Kernel | null }): string {
-    const { pair, kernel } = this.#session;
+    const { pair, kernel } = this.session;
     if (!before.pair || !before.kernel || !pair || !kernel) return "";
     return regionChanges({ ...before.pair, kernel: before.kernel }, { ...pair, kernel });
   }
@@ -246,14 +242,14 @@ export class Editor {
   // Handles.
 
   get #handles(): Handles {
-    const { pair, state } = this.#session;
-    const loops = state.parts.map((part) => new Set(loopsAt(part, this.#session.interval)));
+    const { pair, state } = this.session;
+    const loops = state.parts.map((part) => new Set(loopsAt(part, this.session.interval)));
     return new Handles(this.#shape.parts, state.placements, pair && state.editing ? [pair.fixed, pair.moving] : [], loops);
   }
 
   handles(viewport: Viewport): SVGElement[] {
     const focused = (handle: Handle) => isSame(handle, this.selected) || this.#select(handle);
-    return this.#handles.drawn(viewport, this.selected, this.#session.state.parts.map((p) => p.name), focused);
+    return this.#handles.drawn(viewport, this.selected, this.session.state.parts.map((p) => p.name), focused);
   }
 
   /** Moves what is selected, in the assembly; all on a grid of a step. */
@@ -277,7 +273,7 @@ export class Editor {
     this.#select(handle);
     if (!handle) return null;
     if (alt && this.removeSelected()) return { move: () => {} };
-    const { store } = this.#session;
+    const { store } = this.session;
     // All of a drag is from the shape at its beginning: radii that gave way come back.
     const before = this.#shape.parts[handle.part];
     let begun = false;
@@ -294,7 +290,7 @@ export class Editor {
 
   /** Vertices go to whole steps of their part's coordinates, pivots of the assembly's; a bent edge goes where it is wanted. */
   #moveTo(handle: Handle, e: Edited, to: Place, step: number | null): void {
-    const free = apply(inverse(this.#session.state.placements[handle.part] ?? IDENTITY), to);
+    const free = apply(inverse(this.session.state.placements[handle.part] ?? IDENTITY), to);
     const own = step !== null && handle.kind === "vertex" ? snapped(free, step) : free;
     if (step !== null && handle.kind === "pivot") to = snapped(to, step);
     this.#change(handle.part, () => {
@@ -312,7 +308,7 @@ export class Editor {
   /** Removes the vertex that is selected; whether one was. */
   removeSelected(): boolean {
     const handle = this.selected;
-    return handle?.kind === "vertex" && this.#session.state.editing && this.#reshape(handle, removeVertex, null);
+    return handle?.kind === "vertex" && this.session.state.editing && this.#reshape(handle, removeVertex, null);
   }
 
   /** Changes a loop, and selects the vertex that comes so many after the handle. */

@@ -17,12 +17,10 @@ interface Strip {
 }
 
 export class Graphs {
-  readonly #session: Session;
   readonly #element: HTMLElement;
   #strips: Strip[] = [];
 
-  constructor(parent: HTMLElement, session: Session) {
-    this.#session = session;
+  constructor(parent: HTMLElement, private readonly session: Session) {
     this.#element = parent;
     session.store.subscribe((changed) => {
       if (changed.has("record") || changed.has("pair")) this.#build();
@@ -31,7 +29,7 @@ export class Graphs {
   }
 
   #build(): void {
-    const { state, scene, pair } = this.#session;
+    const { state, scene, pair } = this.session;
     const record = state.record;
     this.#element.hidden = !record;
     const name = (part: number | undefined) => (part === undefined ? "" : (scene.parts[part]?.name ?? ""));
@@ -52,7 +50,7 @@ export class Graphs {
     const shades = stretches(record).map(([from, to]) => svg("rect", { class: "at-once", x: (from / duration) * WIDTH, width: ((to - from) / duration) * WIDTH, y: 0, height: HEIGHT }));
     const plot = html("div", { class: "plot", title: shades.length > 0 ? atOnce : null }, ...stretched(...shades, svg("path", { d })));
     const to = (event: PointerEvent) => {
-      this.#session.store.change({ time: shareAt(plot, event) * duration, playing: false });
+      this.session.store.change({ time: shareAt(plot, event) * duration, playing: false });
     };
     plot.addEventListener("pointerdown", (event) => {
       plot.setPointerCapture(event.pointerId);
@@ -65,11 +63,11 @@ export class Graphs {
   }
 
   #text({ kind, unit, lo, hi }: Series, value: number): string {
-    return kind === "angle" ? degrees(value, 4, hi - lo) : length(within(value, hi - lo, 4), kind === "load" ? (unit ?? null) : this.#session.scene.unit);
+    return kind === "angle" ? degrees(value, 4, hi - lo) : length(within(value, hi - lo, 4), kind === "load" ? (unit ?? null) : this.session.scene.unit);
   }
 
   #follow(): void {
-    const { record, time } = this.#session.state;
+    const { record, time } = this.session.state;
     if (!record) return;
     set(this.#element, { style: `--at: ${record.duration > 0 ? (100 * time) / record.duration : 0}%` });
     for (const { series, value } of this.#strips) say(value, this.#text(series, valueAt(series, time, record.kind === "plan")));

@@ -61,7 +61,6 @@ export class Lens {
   /** Which corner of the view it is in. */
   #corner = 0;
   readonly group = svg("g", { class: "lens", visibility: "hidden" });
-  readonly #viewport: Viewport;
   readonly #world = svg("g");
   readonly #point = svg("circle", { class: "lens-point", r: 4 });
   readonly #text = svg("text", { class: "lens-text" });
@@ -69,15 +68,14 @@ export class Lens {
   readonly #ground = svg("rect", { class: "lens-ground", rx: 6 });
   readonly #clip = svg("rect", { rx: 6 });
 
-  constructor(viewport: Viewport, id: string) {
-    this.#viewport = viewport;
+  constructor(private readonly viewport: Viewport, id: string) {
     const inside = svg("g", { "clip-path": `url(#${id})` }, this.#world, this.#point);
     this.group.append(svg("clipPath", { id }, this.#clip), this.#ground, inside, this.#frame, this.#text);
     viewport.overlay.append(this.group);
   }
 
   get side(): number {
-    const { width, height } = this.#viewport.size;
+    const { width, height } = this.viewport.size;
     return Math.min(SIDE, MOST_OF_VIEW * width, MOST_OF_VIEW * height);
   }
 
@@ -87,7 +85,7 @@ export class Lens {
 
   show(box: Box, at: Place, classification: Classification | null, content: readonly SVGElement[], text: string): void {
     const side = this.side;
-    const { corner, at: { x, y } } = lensCorner(this.#viewport.toScreen(at), side, this.#viewport.size, this.#corner);
+    const { corner, at: { x, y } } = lensCorner(this.viewport.toScreen(at), side, this.viewport.size, this.#corner);
     this.#corner = corner;
     const [sx, sy] = [side / (box.x1 - box.x0), side / (box.y1 - box.y0)];
     const square = { x, y, width: side, height: side };

@@ -11,20 +11,17 @@ const TOO_SLOW = 50;
 const LONGEST = 1000;
 
 export class Pace {
-  readonly #gl: WebGL2RenderingContext;
   #fence: WebGLSync | null = null;
   #sent = 0;
   #took = 0;
 
-  constructor(gl: WebGL2RenderingContext) {
-    this.#gl = gl;
-  }
+  constructor(private readonly gl: WebGL2RenderingContext) {}
 
   /** A frame has been handed to the card. */
   sent(): void {
     this.#forget();
-    this.#fence = this.#gl.fenceSync(this.#gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
-    this.#gl.flush();
+    this.#fence = this.gl.fenceSync(this.gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+    this.gl.flush();
     this.#sent = performance.now();
   }
 
@@ -32,7 +29,7 @@ export class Pace {
   isBusy(): boolean {
     if (!this.#fence) return false;
     const took = performance.now() - this.#sent;
-    const finished = this.#gl.getSyncParameter(this.#fence, this.#gl.SYNC_STATUS) === this.#gl.SIGNALED;
+    const finished = this.gl.getSyncParameter(this.#fence, this.gl.SYNC_STATUS) === this.gl.SIGNALED;
     if (!finished && took < LONGEST) return true;
     this.#took = took;
     this.#forget();
@@ -46,7 +43,7 @@ export class Pace {
   }
 
   #forget(): void {
-    if (this.#fence) this.#gl.deleteSync(this.#fence);
+    if (this.#fence) this.gl.deleteSync(this.#fence);
     this.#fence = null;
   }
 }

@@ -225,14 +225,12 @@ export function openPage({ scene, isOpened }: Shown, worker: string): Promise<vo
 class LazySpace {
   view: SpaceView | null = null;
   onCamera: (() => void) | null = null;
-  readonly #session: Session;
   /** Where it is looked from as it opens. */
   readonly #from: readonly number[] | null;
   /** Whether a part that is caged is shown with its pocket alone; an address shows what it says. */
   readonly #alone: boolean;
 
-  constructor(session: Session, { camera, view }: Address) {
-    this.#session = session;
+  constructor(private readonly session: Session, { camera, view }: Address) {
     this.#from = camera ?? null;
     this.#alone = view !== "space";
   }
@@ -242,14 +240,14 @@ class LazySpace {
   }
 
   open(): void {
-    const { store, planar, state } = this.#session;
+    const { store, planar, state } = this.session;
     if (this.view || state.view !== "space" || !planar) return;
     const building = byId("building");
     try {
-      const region = this.#alone ? cagedIn(this.#session) : null;
+      const region = this.#alone ? cagedIn(this.session) : null;
       if (region !== null) this.#hideOthers(region);
       byId("space").hidden = false;
-      this.view = new SpaceView(byId("space"), this.#session, this.#from);
+      this.view = new SpaceView(byId("space"), this.session, this.#from);
       this.view.onProgress = (left) => {
         building.hidden = left === 0;
         if (left > 0) say(building, `${left} pieces left to draw`);
@@ -263,13 +261,13 @@ class LazySpace {
 
   /** Looks at a region without what is around it, which would hide it. */
   showAlone(region: number): void {
-    if (this.#session.planar) this.#hideOthers(region);
+    if (this.session.planar) this.#hideOthers(region);
     this.view?.fitRegion(region);
   }
 
   #hideOthers(region: number): void {
-    const others = this.#session.pair?.regions.map((_, i) => i).filter((i) => i !== region) ?? [];
-    this.#session.store.change({ hidden: new Set(others) });
+    const others = this.session.pair?.regions.map((_, i) => i).filter((i) => i !== region) ?? [];
+    this.session.store.change({ hidden: new Set(others) });
   }
 }
 

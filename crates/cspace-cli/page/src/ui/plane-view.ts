@@ -30,7 +30,6 @@ const LENS_DEVIATION = 1 / 200;
 
 export class PlaneView {
   readonly viewport: Viewport;
-  readonly #session: Session;
   /** What drags contact curves. */
   readonly #contacts: ContactHand | null;
   readonly #blocked: SVGRectElement;
@@ -42,8 +41,7 @@ export class PlaneView {
   readonly #lookCloser = unhurried(() => this.#drawLens(), LENS_PAUSE);
   #drawn: { kernel: AxesKernel; deviation: number; curves: DrawnCurve[]; free: FreePolygon[] } | null = null;
 
-  constructor(parent: HTMLElement, session: Session, contacts: ContactHand | null) {
-    this.#session = session;
+  constructor(parent: HTMLElement, private readonly session: Session, contacts: ContactHand | null) {
     this.#contacts = contacts;
     this.viewport = new Viewport(parent, {
       uniform: false,
@@ -70,7 +68,7 @@ export class PlaneView {
   }
 
   #update(changed: ReadonlySet<Key>, state: Readonly<State>): void {
-    const kernel = this.#session.axes;
+    const kernel = this.session.axes;
     if (!kernel) return;
     if (changed.has("space")) this.#build(kernel, !state.editing);
     if (["space", "where", "colouring", "hidden"].some((k) => changed.has(k as Key))) this.#paint(state, kernel);
@@ -102,7 +100,7 @@ export class PlaneView {
 
   /** Shows the ranges of both motions, or a turn. */
   fit(): void {
-    const kernel = this.#session.axes;
+    const kernel = this.session.axes;
     if (kernel) this.viewport.fit(periodOf(kernel), 0.06);
   }
 
@@ -116,7 +114,7 @@ export class PlaneView {
   }
 
   #drawLens(): void {
-    const { axes: kernel, state } = this.#session;
+    const { axes: kernel, state } = this.session;
     const c = state.configuration;
     const inside = state.where.classification === "free" || state.where.classification === "contact";
     const drawn = this.#drawn;
@@ -131,7 +129,7 @@ export class PlaneView {
     const shown = { colouring: state.colouring, hidden: state.hidden, touching: new Set(state.where.patches) };
     const rooms = drawn.free.map(({ region, points }) => svg("path", { class: "free-region", fill: regionColour(region), stroke: "none", d: pathOf(points, true) }));
     const blocked = svg("rect", { class: "blocked-space", x: box.x0, y: box.y0, width: box.x1 - box.x0, height: box.y1 - box.y0 });
-    const text = (value: number, axis: AxisInfo) => (axis.kind === "angle" ? degrees(value, 3) : length(rounded(value), this.#session.scene.unit));
+    const text = (value: number, axis: AxisInfo) => (axis.kind === "angle" ? degrees(value, 3) : length(rounded(value), this.session.scene.unit));
     this.#lens.show(
       box,
       at,
@@ -142,7 +140,7 @@ export class PlaneView {
   }
 
   #axisText(): string {
-    const { pair, scene } = this.#session;
+    const { pair, scene } = this.session;
     const text = (part: number | undefined) => {
       const of = part === undefined ? undefined : scene.parts[part];
       const unit = of?.motion.type === "prismatic" && scene.unit ? ` (${scene.unit})` : "";
@@ -178,16 +176,16 @@ export class PlaneView {
   }
 
   #placePoint(): void {
-    const c = this.#session.state.configuration;
-    const kernel = this.#session.axes;
+    const c = this.session.state.configuration;
+    const kernel = this.session.axes;
     if (!kernel || !isAxes(c)) return;
     const { x, y } = this.viewport.toScreen(inPeriod(kernel, c));
     set(this.#point, { transform: `translate(${x} ${y})` });
   }
 
   #grab(at: Place): Drag | null {
-    const c = this.#session.state.configuration;
-    const kernel = this.#session.axes;
+    const c = this.session.state.configuration;
+    const kernel = this.session.axes;
     if (!kernel || !isAxes(c)) return null;
     const p = inPeriod(kernel, c);
     const { x, y } = this.viewport.pixel;
@@ -195,14 +193,14 @@ export class PlaneView {
       return this.#contacts?.grab(at, this.viewport, kernel, this.#drawn?.curves ?? [], ({ x: u, y: v }) => ({ u, v })) ?? null;
     }
     const [du, dv] = [c.u - at.x, c.v - at.y];
-    const { store } = this.#session;
+    const { store } = this.session;
     store.change({ dragging: true, playing: false });
-    return { move: (to) => this.#session.aim({ u: to.x + du, v: to.y + dv }), end: () => store.change({ dragging: false }) };
+    return { move: (to) => this.session.aim({ u: to.x + du, v: to.y + dv }), end: () => store.change({ dragging: false }) };
   }
 
   #wheel(_at: Place, event: WheelEvent): boolean {
-    if (!event.shiftKey && !this.#session.state.dragging) return false;
-    this.#session.nudge(0, wheelSlide(event) * this.viewport.pixel.y);
+    if (!event.shiftKey && !this.session.state.dragging) return false;
+    this.session.nudge(0, wheelSlide(event) * this.viewport.pixel.y);
     return true;
   }
 }

@@ -44,7 +44,6 @@ export class SpaceView {
   /** Called when the user has looked from elsewhere. */
   onCamera: (() => void) | null = null;
   onProgress: ((left: number) => void) | null = null;
-  readonly #session: Session;
   readonly #element: HTMLElement;
   readonly #renderer: WebGLRenderer;
   readonly #pace: Pace;
@@ -69,8 +68,7 @@ export class SpaceView {
   #cameraFrom: readonly number[] | null;
 
   /** Throws where the browser has no WebGL. */
-  constructor(parent: HTMLElement, session: Session, camera: readonly number[] | null) {
-    this.#session = session;
+  constructor(parent: HTMLElement, private readonly session: Session, camera: readonly number[] | null) {
     this.#element = parent;
     this.#cameraFrom = camera;
     const canvas = document.createElement("canvas");
@@ -159,7 +157,7 @@ export class SpaceView {
       const z = theta * this.#scale.perRadian;
       if (["configuration", "space", "hidden"].some((k) => changed.has(k as Key))) {
         this.#marks.setTheta(z);
-        this.#marks.setSlice(currentSlice(this.#session), state.hidden, z, this.#scale);
+        this.#marks.setSlice(currentSlice(this.session), state.hidden, z, this.#scale);
         this.#cut.constant = z;
       }
       const colour = state.where.classification ? POINT_COLOURS[state.where.classification] : "#888888";
@@ -181,7 +179,7 @@ export class SpaceView {
   }
 
   #open(state: Readonly<State>): void {
-    const kernel = this.#session.planar;
+    const kernel = this.session.planar;
     if (kernel === this.#kernel) return;
     const first = !this.#kernel || !state.editing;
     this.#kernel = kernel;
@@ -203,7 +201,7 @@ export class SpaceView {
 
   /** Not while something is dragged, which is to follow the hand. */
   #buildLater(): void {
-    this.#rebuild = setTimeout(() => (this.#session.state.dragging ? this.#buildLater() : this.#build()), SETTLED);
+    this.#rebuild = setTimeout(() => (this.session.state.dragging ? this.#buildLater() : this.#build()), SETTLED);
   }
 
   #measure(kernel: PlanarKernel): void {
@@ -222,7 +220,7 @@ export class SpaceView {
     const low: [number, number] = [lo[0] - margin, lo[1] - margin];
     const high: [number, number] = [hi[0] + margin, hi[1] + margin];
     this.#marks.setExtent(high[0] - low[0], high[1] - low[1]);
-    this.#axes.build(low, high, [window.lo, window.hi], this.#scale, this.#session.scene.unit);
+    this.#axes.build(low, high, [window.lo, window.hi], this.#scale, this.session.scene.unit);
     this.#camera.near = extent / 100;
     this.#camera.far = extent * 40;
     this.#camera.updateProjectionMatrix();
@@ -233,8 +231,8 @@ export class SpaceView {
 
   /** Bounds of what is drawn, and the point of the moving part whose places these are. */
   #drawnBounds(kernel: PlanarKernel): { lo: [number, number]; hi: [number, number]; arm: Place } {
-    const { pair, state } = this.#session;
-    if (!pair || !swings(this.#session, kernel)) return { ...kernel.bounds(), arm: { x: 0, y: 0 } };
+    const { pair, state } = this.session;
+    if (!pair || !swings(this.session, kernel)) return { ...kernel.bounds(), arm: { x: 0, y: 0 } };
     const [fixed, moving] = [boxOf(state.parts[pair.fixed]?.loops ?? []), boxOf(state.parts[pair.moving]?.loops ?? [])];
     const arm = { x: (moving.x0 + moving.x1) / 2, y: (moving.y0 + moving.y1) / 2 };
     // In contact, the part's middle is no farther from the other than its corners are from its middle.
@@ -244,13 +242,13 @@ export class SpaceView {
 
   #build(): void {
     const kernel = this.#kernel;
-    const { state } = this.#session;
+    const { state } = this.session;
     if (!kernel || !isPlanar(state.configuration)) return;
     this.#surface?.dispose();
     const { lo, fullTurn } = kernel.window;
     const theta = fullTurn ? wrap(state.configuration.theta, lo) : state.configuration.theta;
     const surface = new Surface(kernel, this.#scale, theta, state.colouring, { window: this.#window, cut: this.#cut }, (left) => {
-      this.#surface?.show(this.#session.state.hidden, this.#session.state.cut);
+      this.#surface?.show(this.session.state.hidden, this.session.state.cut);
       this.onProgress?.(left);
       this.#draw();
     });
@@ -282,7 +280,7 @@ export class SpaceView {
       this.#frame = null;
       if (this.#pace.isBusy()) this.#draw();
       else {
-        const next = this.#pace.next(this.#session.state.dragging, this.#coarse);
+        const next = this.#pace.next(this.session.state.dragging, this.#coarse);
         // What is dragged in this view is seen nowhere else so well.
         const waits = next === "none" && this.#controls.enabled;
         this.#element.classList.toggle("waits", waits);
@@ -333,15 +331,15 @@ export class SpaceView {
   /** Registered before the controls, which are to leave the point alone. */
   #listen(): void {
     let drag: { pointer: number; dx: number; dy: number; y: number; goal: DragGoal } | null = null;
-    const { store } = this.#session;
+    const { store } = this.session;
     this.canvas.addEventListener(
       "pointerdown",
       (event) => {
-        const c = this.#session.state.configuration;
+        const c = this.session.state.configuration;
         if (event.button !== 0 || !this.#isOnPoint(event) || !isPlanar(c)) return;
         const p = this.#marks.point.position;
         const at = this.#onPlane(event, p.z);
-        drag = { pointer: event.pointerId, dx: at ? p.x - at.x : 0, dy: at ? p.y - at.y : 0, y: event.clientY, goal: new DragGoal(c, () => this.#session.turnedBy) };
+        drag = { pointer: event.pointerId, dx: at ? p.x - at.x : 0, dy: at ? p.y - at.y : 0, y: event.clientY, goal: new DragGoal(c, () => this.session.turnedBy) };
         this.#controls.enabled = false;
         this.canvas.setPointerCapture(event.pointerId);
         store.change({ dragging: true, playing: false });
@@ -358,11 +356,11 @@ export class SpaceView {
         drag.goal.turn(-((event.clientY - drag.y) * Math.PI) / PIXELS_PER_HALF_TURN);
       } else {
         const at = this.#onPlane(event, this.#marks.point.position.z);
-        const now = this.#session.state.configuration;
+        const now = this.session.state.configuration;
         const aside = swing(this.#scale, isPlanar(now) ? now.theta : 0);
         if (at) drag.goal.moveTo(at.x + drag.dx + this.#scale.center[0] - aside.x, at.y + drag.dy + this.#scale.center[1] - aside.y);
       }
-      this.#session.aim(drag.goal.placement);
+      this.session.aim(drag.goal.placement);
       drag.y = event.clientY;
     });
     const up = (event: PointerEvent) => {
@@ -379,7 +377,7 @@ export class SpaceView {
         if (!drag && !event.shiftKey && !this.#isOnPoint(event)) return;
         event.preventDefault();
         event.stopImmediatePropagation();
-        this.#session.turn(wheelAngle(event));
+        this.session.turn(wheelAngle(event));
       },
       { capture: true, passive: false },
     );

@@ -26,15 +26,13 @@ const LEAST = 3;
 
 export class StackView {
   readonly svg = svg("svg", { class: "stack-view", role: "img" });
-  readonly #session: Session;
   readonly #element: HTMLElement;
   readonly #choice = html("select", { "aria-label": "Height" });
   /** The lowest first. */
   #intervals: Interval[] = [];
 
-  constructor(parent: HTMLElement, session: Session) {
+  constructor(parent: HTMLElement, private readonly session: Session) {
     this.#element = parent;
-    this.#session = session;
     parent.append(this.#choice, this.svg);
     this.#choice.addEventListener("change", () => this.#choose(this.#intervals[this.#intervals.length - this.#choice.selectedIndex] ?? null));
     this.svg.addEventListener("click", (event) => this.#click(event));
@@ -55,12 +53,12 @@ export class StackView {
   }
 
   #choose(interval: Interval | null): void {
-    this.#session.store.change({ height: interval && middleOf(interval) });
+    this.session.store.change({ height: interval && middleOf(interval) });
   }
 
   /** Where in the stack the chosen interval is; -1 if all heights are shown. */
   get #chosen(): number {
-    const at = this.#session.interval;
+    const at = this.session.interval;
     return at ? this.#intervals.findIndex(([lo]) => lo === at[0]) : -1;
   }
 
@@ -83,7 +81,7 @@ export class StackView {
   }
 
   #text([lo, hi]: Interval): string {
-    return `${short(lo)} to ${length(hi, this.#session.scene.unit)}`;
+    return `${short(lo)} to ${length(hi, this.session.scene.unit)}`;
   }
 
   /** Where the lowest height is, and pixels per unit upwards. */
@@ -99,7 +97,7 @@ export class StackView {
   #draw(): void {
     const { rem, width, height, lo, hi, y0, scale } = this.#plot();
     if (this.#intervals.length === 0 || width === 0 || !(scale > 0)) return;
-    const { state, pair, scene, interval } = this.#session;
+    const { state, pair, scene, interval } = this.session;
     const y = (z: number) => y0 - (z - lo) * scale;
     const left = NUMBERS * rem;
     const column = (width - left) / state.parts.length;
@@ -138,7 +136,7 @@ export class StackView {
 
   /** Of heights too near to each other for their numbers, the lower is written; the ends of the stack always are. */
   #numbers(ends: readonly number[], y: (z: number) => number, left: number, rem: number): SVGElement[] {
-    const { unit } = this.#session.scene;
+    const { unit } = this.session.scene;
     const written: number[] = [];
     for (const z of [ends[0], ends.at(-1), ...ends]) {
       if (z !== undefined && written.every((other) => Math.abs(y(other) - y(z)) >= LINE * rem)) written.push(z);

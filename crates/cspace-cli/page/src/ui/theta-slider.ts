@@ -14,15 +14,13 @@ const MARGIN = 12;
 const UNLIMITED = 100;
 
 export class ThetaSlider {
-  readonly #session: Session;
   readonly #slider: HTMLElement;
   readonly #canvas: HTMLCanvasElement;
   readonly #text: HTMLElement;
   readonly #name: HTMLElement;
   readonly #bands: HTMLButtonElement[];
 
-  constructor(parent: HTMLElement, session: Session) {
-    this.#session = session;
+  constructor(parent: HTMLElement, private readonly session: Session) {
     this.#canvas = html("canvas", { "aria-hidden": "true" });
     this.#slider = html("div", { class: "theta-slider", role: "slider", tabindex: 0, "aria-label": "Orientation" }, this.#canvas);
     this.#text = html("output", { class: "band-text" });
@@ -40,7 +38,7 @@ export class ThetaSlider {
 
   /** What can be chosen from, and whether it goes round. */
   #range(): { lo: number; hi: number; round: boolean; value: number; angle: boolean } | null {
-    const { planar, pair, state } = this.#session;
+    const { planar, pair, state } = this.session;
     const c = state.configuration;
     if (!isPlanar(c) || !pair) return null;
     if (planar) {
@@ -57,18 +55,18 @@ export class ThetaSlider {
   }
 
   #set(value: number): void {
-    const { planar, pair } = this.#session;
+    const { planar, pair } = this.session;
     const range = this.#range();
     if (!range || !pair) return;
     const held = range.round ? value : Math.min(range.hi, Math.max(range.lo, value));
     if (planar) {
       // The turn in which the orientation is now is kept.
-      const c = this.#session.aimed;
-      if (isPlanar(c)) this.#session.setTheta(range.round ? c.theta + wrap(held - c.theta, -Math.PI) : held);
+      const c = this.session.aimed;
+      if (isPlanar(c)) this.session.setTheta(range.round ? c.theta + wrap(held - c.theta, -Math.PI) : held);
       return;
     }
     const at = lowerPair(pair)?.at(held);
-    if (at) this.#session.aim(at);
+    if (at) this.session.aim(at);
   }
 
   #listen(): void {
@@ -79,7 +77,7 @@ export class ThetaSlider {
       const f = (event.clientX - r.left - MARGIN) / Math.max(1, r.width - 2 * MARGIN);
       this.#set(range.lo + Math.min(1, Math.max(0, f)) * (range.hi - range.lo));
     };
-    const { store } = this.#session;
+    const { store } = this.session;
     this.#slider.addEventListener("pointerdown", (event) => {
       if (event.button !== 0) return;
       this.#slider.setPointerCapture(event.pointerId);
@@ -107,7 +105,7 @@ export class ThetaSlider {
 
   #draw(): void {
     const range = this.#range();
-    const { planar, scene, state } = this.#session;
+    const { planar, scene, state } = this.session;
     this.#slider.parentElement?.classList.toggle("unused", !range);
     // What changes between orientations is told beside the surface.
     const banded = planar && state.view === "space";

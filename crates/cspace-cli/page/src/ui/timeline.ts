@@ -23,7 +23,6 @@ interface Origin {
 }
 
 export class Timeline {
-  readonly #session: Session;
   readonly #element: HTMLElement;
   readonly #play: HTMLButtonElement;
   readonly #scrub: HTMLInputElement;
@@ -34,13 +33,10 @@ export class Timeline {
   readonly #text: HTMLElement;
   readonly #choice: HTMLSelectElement;
   readonly #again = html("button", { type: "button", hidden: "" });
-  readonly #edits: () => Edits;
   readonly #records = new Map<PlayableRecord, Origin>();
   #last = 0;
 
-  constructor(parent: HTMLElement, session: Session, edits: () => Edits) {
-    this.#session = session;
-    this.#edits = edits;
+  constructor(parent: HTMLElement, private readonly session: Session, private readonly edits: () => Edits) {
     this.#element = parent;
     const { store } = session;
     this.#choice = html("select", { "aria-label": "Record" });
@@ -80,8 +76,8 @@ export class Timeline {
 
   /** Places the parts as the chosen record begins. */
   showStart(): void {
-    const { record, time } = this.#session.state;
-    if (record && !this.#session.state.stale) this.#show(record, time);
+    const { record, time } = this.session.state;
+    if (record && !this.session.state.stale) this.#show(record, time);
   }
 
   /** Reads a file that the user opens or drops. */
@@ -98,18 +94,18 @@ export class Timeline {
   /** Plays what the page has computed itself, of a model with edits. */
   play(name: string, text: string, edits: Edits, again: Origin["again"]): void {
     this.#open(() => readRecordText(name, text), edits, again);
-    const { record, stale } = this.#session.state;
-    if (record?.name === name) this.#session.store.change({ playing: !stale });
+    const { record, stale } = this.session.state;
+    if (record?.name === name) this.session.store.change({ playing: !stale });
   }
 
   /** Takes a record that the user opens, and plays it; one that is none of this model is told and forgotten. */
-  #open(read: () => PlayableRecord, edits = this.#edits(), again: Origin["again"] = null): void {
+  #open(read: () => PlayableRecord, edits = this.edits(), again: Origin["again"] = null): void {
     this.#told(() => {
       const record = read();
       const problem = this.#mismatch(record);
       if (problem) throw new RecordError(problem);
       this.#records.set(record, { edits: JSON.stringify(edits), again });
-      this.#session.store.change({ message: null });
+      this.session.store.change({ message: null });
       this.#choose(record);
       this.showStart();
     });
@@ -130,25 +126,25 @@ export class Timeline {
       take();
     } catch (error) {
       if (!(error instanceof RecordError)) throw error;
-      this.#session.store.change({ message: failure(error) });
+      this.session.store.change({ message: failure(error) });
     }
   }
 
   #choose(record: PlayableRecord | null): void {
     const problem = record ? this.#mismatch(record) : null;
     if (problem) {
-      this.#session.store.change({ message: failure(problem) });
+      this.session.store.change({ message: failure(problem) });
       // The list shows the record that is played, and not the one that cannot be.
-      this.#drawRecord(this.#session.state.record);
+      this.#drawRecord(this.session.state.record);
       return;
     }
-    this.#session.store.change({ record, time: 0, playing: false });
+    this.session.store.change({ record, time: 0, playing: false });
     this.#compare();
   }
 
   /** Why a record is none of this model. */
   #mismatch(record: PlayableRecord): string | null {
-    const { scene, pair } = this.#session;
+    const { scene, pair } = this.session;
     if (record.kind === "simulation") {
       const names = new Set(scene.parts.map((p) => p.name));
       const unknown = record.parts.find((p) => !names.has(p));
@@ -164,13 +160,13 @@ export class Timeline {
   }
 
   toggle(): void {
-    const { record, playing, time, stale } = this.#session.state;
+    const { record, playing, time, stale } = this.session.state;
     if (!record || stale) return;
-    this.#session.store.change({ playing: !playing, time: !playing && time >= record.duration ? 0 : time });
+    this.session.store.change({ playing: !playing, time: !playing && time >= record.duration ? 0 : time });
   }
 
   #update(changed: ReadonlySet<Key>): void {
-    const { state } = this.#session;
+    const { state } = this.session;
     const record = state.record;
     // A way belongs to the pair it was planned for.
     if (changed.has("pair") && !changed.has("record") && record?.kind === "plan") this.#choose(null);
@@ -185,7 +181,7 @@ export class Timeline {
         requestAnimationFrame((now) => this.#tick(now));
       }
     }
-    if (!record || this.#session.state.stale || !(["time", "record", "stale"] as Key[]).some((k) => changed.has(k))) return;
+    if (!record || this.session.state.stale || !(["time", "record", "stale"] as Key[]).some((k) => changed.has(k))) return;
     this.#scrub.value = String(state.time);
     const told = [...record.ticks].reverse().find((t) => t.t <= state.time);
     const [now, end] = [timeAt(record, state.time), timeAt(record, record.duration)];
@@ -196,13 +192,13 @@ export class Timeline {
 
   /** A record of the model before it was changed is not played: parts go elsewhere. The same edits are the same model. */
   #compare(): void {
-    const { record, playing } = this.#session.state;
-    const stale = record !== null && this.#records.get(record)?.edits !== JSON.stringify(this.#edits());
-    this.#session.store.change({ stale, playing: playing && !stale });
+    const { record, playing } = this.session.state;
+    const stale = record !== null && this.#records.get(record)?.edits !== JSON.stringify(this.edits());
+    this.session.store.change({ stale, playing: playing && !stale });
   }
 
   #drawStale(): void {
-    const { record, stale } = this.#session.state;
+    const { record, stale } = this.session.state;
     document.body.classList.toggle("stale", stale);
     this.#play.disabled = this.#scrub.disabled = stale;
     this.#again.hidden = !stale || !(record && this.#records.get(record)?.again);
@@ -211,7 +207,7 @@ export class Timeline {
   }
 
   #tick(now: number): void {
-    const { state, store } = this.#session;
+    const { state, store } = this.session;
     if (!state.playing || !state.record) return;
     let time = state.time + ((now - this.#last) / 1000) * state.speed;
     this.#last = now;
@@ -224,11 +220,11 @@ export class Timeline {
   #show(record: PlayableRecord, time: number): void {
     if (record.kind === "simulation") {
       const state = stateAt(record, time);
-      if (state) this.#session.setPlacements(this.#session.placementsBy(state.parts));
+      if (state) this.session.setPlacements(this.session.placementsBy(state.parts));
       return;
     }
     const c = pathAt(record, time);
-    if (c) this.#session.setConfiguration(c);
+    if (c) this.session.setConfiguration(c);
   }
 
   #drawRecord(record: PlayableRecord | null): void {

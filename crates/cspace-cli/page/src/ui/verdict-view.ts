@@ -20,7 +20,6 @@ const PAUSE = 120;
 const LISTED = 3;
 
 export class VerdictView {
-  readonly #session: Session;
   readonly #element: HTMLElement;
   readonly #question = html("h2", { id: "question" });
   readonly #headline = html("p", { class: "headline", "aria-live": "polite" });
@@ -31,8 +30,7 @@ export class VerdictView {
   readonly #held = html("div", { class: "held", "aria-live": "polite" });
   readonly #tellLater = unhurried(() => this.#tell(), PAUSE);
 
-  constructor(parent: HTMLElement, session: Session) {
-    this.#session = session;
+  constructor(parent: HTMLElement, private readonly session: Session) {
     this.#element = parent;
     parent.append(this.#question, html("div", { id: "verdict" }, this.#headline, this.#order, this.#held));
     const first = firstPair(session.scene);
@@ -48,7 +46,7 @@ export class VerdictView {
   }
 
   #draw(): void {
-    const { pair, state } = this.#session;
+    const { pair, state } = this.session;
     const told = this.#told();
     const touches = state.where.classification === "contact" || state.where.fits;
     set(document.body, { "data-standing": told && standing(told) });
@@ -62,7 +60,7 @@ export class VerdictView {
 
   /** What stopped the last drag of the mechanism, which parts overlap, and which are smaller than drawn. */
   #sayHeld(): void {
-    const { stopped, overlapping, gaps } = this.#session.state.held ?? { stopped: [], overlapping: [], gaps: [] };
+    const { stopped, overlapping, gaps } = this.session.state.held ?? { stopped: [], overlapping: [], gaps: [] };
     const lines = overlapping.map(([a, b]) => `${a} and ${b} overlap: drag them apart.`);
     if (stopped.length > 0) lines.push(`Stopped: ${stopped.slice(0, LISTED).join("; ")}${stopped.length > LISTED ? ` and ${stopped.length - LISTED} more` : ""}.`);
     lines.push(...gaps.map((gap) => `${gap}.`));
@@ -70,10 +68,10 @@ export class VerdictView {
   }
 
   #told(): Told | null {
-    const { pair, kernel, state, scene, axes } = this.#session;
+    const { pair, kernel, state, scene, axes } = this.session;
     if (!pair || !kernel || kernel.class === "lower") return null;
     const name = (part: number) => scene.parts[part]?.name ?? "?";
-    const region = cagedIn(this.#session);
+    const region = cagedIn(this.session);
     const named = new Set(Object.values(state.parts[pair.fixed]?.feature_names ?? {}));
     const cage = region === null ? [] : cageOf(kernel, region).filter((feature) => named.has(feature));
     const pushes = this.#isPushed ? (this.#pushed?.pushes ?? null) : null;
@@ -82,8 +80,8 @@ export class VerdictView {
 
   /** What the verdict rests on is lit in the drawing: what cages the part, or what holds the one that turns one way only. */
   #light(told: Told | null): void {
-    const { kernel, store } = this.#session;
-    const region = cagedIn(this.#session);
+    const { kernel, store } = this.session;
+    const region = cagedIn(this.session);
     const held = told?.pushes && (heldOneWay(told.pushes.u) ?? heldOneWay(told.pushes.v));
     const touching = held ? held.push.touching : [];
     const reason = { fixed: region !== null && kernel ? cageOf(kernel, region) : touching.map((t) => t.fixed), moving: touching.map((t) => t.moving) };
@@ -92,14 +90,14 @@ export class VerdictView {
 
   /** Whether pushes are known here: how far they go depends on where the parts are, and that nothing holds them does not. */
   get #isPushed(): boolean {
-    const { kernel, state } = this.#session;
+    const { kernel, state } = this.session;
     if (this.#pushed?.kernel !== kernel) return false;
     const { u, v } = this.#pushed?.pushes ?? { u: null, v: null };
     return this.#pushed?.at === state.configuration || [u?.back, u?.forth, v?.back, v?.forth].every((push) => !push || push.gone === Infinity);
   }
 
   #tell(): void {
-    const { kernel, axes, state } = this.#session;
+    const { kernel, axes, state } = this.session;
     const c = state.configuration;
     if (axes && kernel && isAxes(c) && !state.dragging && !state.playing && !this.#isPushed && regionOf({ where: state.where, kernel }) !== null) {
       this.#pushed = { kernel, at: c, pushes: pushesOf(axes, c) };

@@ -59,7 +59,6 @@ export class Viewport {
   unit = "";
   kinds: [AxisKind, AxisKind] = ["length", "length"];
 
-  readonly #options: ViewportOptions;
   readonly #grid: SVGPathElement;
   readonly #axes: SVGPathElement;
   readonly #numbers: SVGGElement;
@@ -75,8 +74,7 @@ export class Viewport {
   #dragPointer = -1;
   #twist: ((by: number, about: Place) => void) | null = null;
 
-  constructor(parent: HTMLElement, options: ViewportOptions) {
-    this.#options = options;
+  constructor(parent: HTMLElement, private readonly options: ViewportOptions) {
     this.svg = svg("svg", { class: "viewport", role: "application", "aria-label": options.label, tabindex: 0 });
     this.#grid = svg("path", { class: "grid" });
     this.#axes = svg("path", { class: "grid-axes" });
@@ -127,7 +125,7 @@ export class Viewport {
     const y = this.#height / (h * (1 + 2 * margin));
     const least = Math.min(x, y);
     this.#center = { x: (box.x0 + box.x1) / 2, y: (box.y0 + box.y1) / 2 };
-    this.#scale = this.#options.uniform ? { x: least, y: least } : { x, y };
+    this.#scale = this.options.uniform ? { x: least, y: least } : { x, y };
     this.#draw();
   }
 
@@ -145,7 +143,7 @@ export class Viewport {
     if (!this.#fitted) return factor;
     const { x, y } = extentOf(this.#fitted.box);
     // One extent for both axes where they have one scale.
-    const [w, h] = this.#options.uniform ? [Math.max(x, y), Math.max(x, y)] : [x, y];
+    const [w, h] = this.options.uniform ? [Math.max(x, y), Math.max(x, y)] : [x, y];
     const by = [
       heldScale(this.#scale.x * factor, w, this.#center.x) / this.#scale.x,
       heldScale(this.#scale.y * factor, h, this.#center.y) / this.#scale.y,
@@ -180,7 +178,7 @@ export class Viewport {
     const box = this.box;
     const steps = [this.kinds[0] === "angle" ? angleStep : lengthStep, this.kinds[1] === "angle" ? angleStep : lengthStep] as const;
     const dx = steps[0](GRID_PIXELS / this.#scale.x);
-    const dy = this.#options.uniform ? dx : steps[1](GRID_PIXELS / this.#scale.y);
+    const dy = this.options.uniform ? dx : steps[1](GRID_PIXELS / this.#scale.y);
     const lines: string[] = [];
     const numbers: SVGElement[] = [];
     const rem = parseFloat(getComputedStyle(document.documentElement).fontSize);
@@ -216,10 +214,10 @@ export class Viewport {
       element.setPointerCapture(event.pointerId);
       this.#pointers.set(event.pointerId, { x: event.clientX, y: event.clientY });
       if (this.#pointers.size > 1) {
-        this.#twist = (this.#drag && this.#options.twist?.(event)) || null;
+        this.#twist = (this.#drag && this.options.twist?.(event)) || null;
         this.#endDrag();
       } else if (event.button === 0) {
-        this.#drag = this.#options.grab(this.toWorld(event), event);
+        this.#drag = this.options.grab(this.toWorld(event), event);
         this.#dragPointer = event.pointerId;
       }
     });
@@ -262,13 +260,13 @@ export class Viewport {
         event.preventDefault();
         const at = this.toWorld(event);
         // The browser tells a pinch on a touch pad as a wheel with Ctrl.
-        if (!event.ctrlKey && this.#options.wheel?.(at, event)) return;
+        if (!event.ctrlKey && this.options.wheel?.(at, event)) return;
         this.zoom(ZOOM_PER_PIXEL ** -wheelPixels(event), at);
       },
       { passive: false },
     );
     element.addEventListener("dblclick", (event) => {
-      if (!this.#options.double?.(this.toWorld(event))) this.#options.fit();
+      if (!this.options.double?.(this.toWorld(event))) this.options.fit();
     });
   }
 
