@@ -17,11 +17,9 @@ interface Strip {
 }
 
 export class Graphs {
-  readonly #element: HTMLElement;
   #strips: Strip[] = [];
 
-  constructor(parent: HTMLElement, private readonly session: Session) {
-    this.#element = parent;
+  constructor(private readonly element: HTMLElement, private readonly session: Session) {
     session.store.subscribe((changed) => {
       if (changed.has("record") || changed.has("pair")) this.#build();
       if ((["record", "pair", "time"] as Key[]).some((k) => changed.has(k))) this.#follow();
@@ -31,7 +29,7 @@ export class Graphs {
   #build(): void {
     const { state, scene, pair } = this.session;
     const record = state.record;
-    this.#element.hidden = !record;
+    this.element.hidden = !record;
     const name = (part: number | undefined) => (part === undefined ? "" : (scene.parts[part]?.name ?? ""));
     const all = record ? seriesOf(record, state.parts, { fixed: name(pair?.fixed), moving: name(pair?.moving) }, scene.unit) : [];
     this.#strips = all.slice(0, MOST).map((series) => ({ series, value: html("output") }));
@@ -39,7 +37,7 @@ export class Graphs {
     if (!record) return;
     const save = () => download(fileName(record.name.replace(/\.json(\.gz)?$/, ""), "csv"), new Blob([csvOf(record, all, scene.unit)], { type: "text/csv" }));
     const csv = button("CSV", save, { class: "small", title: "Save all coordinates over time as a table" });
-    this.#element.replaceChildren(csv, ...this.#strips.map((strip) => this.#draw(strip, record)), numbers(record), ...more);
+    this.element.replaceChildren(csv, ...this.#strips.map((strip) => this.#draw(strip, record)), numbers(record), ...more);
   }
 
   #draw({ series, value }: Strip, record: PlayableRecord): HTMLElement {
@@ -69,7 +67,7 @@ export class Graphs {
   #follow(): void {
     const { record, time } = this.session.state;
     if (!record) return;
-    set(this.#element, { style: `--at: ${record.duration > 0 ? (100 * time) / record.duration : 0}%` });
+    set(this.element, { style: `--at: ${record.duration > 0 ? (100 * time) / record.duration : 0}%` });
     for (const { series, value } of this.#strips) say(value, this.#text(series, valueAt(series, time, record.kind === "plan")));
   }
 }

@@ -12,11 +12,9 @@ import { regionOf } from "./verdict.js";
 const LISTED = 40;
 
 export class Legend {
-  readonly #element: HTMLElement;
 
   /** `fit` shows a region as large as the views allow. */
-  constructor(parent: HTMLElement, private readonly session: Session, private readonly fit: (region: number) => void) {
-    this.#element = parent;
+  constructor(private readonly element: HTMLElement, private readonly session: Session, private readonly fit: (region: number) => void) {
     session.store.subscribe((changed) => {
       if ((["space", "colouring", "hidden", "pair"] as Key[]).some((k) => changed.has(k))) this.#draw();
     });
@@ -33,8 +31,8 @@ export class Legend {
       if (pair.regions.length > LISTED) items.push(html("li", {}, `and ${pair.regions.length - LISTED} more regions`));
       items.push(html("li", {}, swatch(TOUCHING), html("span", {}, "touching")));
     }
-    this.#element.replaceChildren(...(items.length > 0 ? [html("ul", {}, ...items)] : []));
-    this.#element.hidden = items.length === 0;
+    this.element.replaceChildren(...(items.length > 0 ? [html("ul", {}, ...items)] : []));
+    this.element.hidden = items.length === 0;
     if (focused) document.getElementById(focused)?.focus();
   }
 

@@ -43,12 +43,12 @@ export class PartsView {
   readonly #session: Session;
   readonly #editor: Editor | null;
   readonly #hand: MechanismHand | null;
-  readonly #parts: SVGGElement;
-  readonly #pivots: SVGGElement;
+  readonly #parts = svg("g");
+  readonly #pivots = svg("g", { class: "pivots" });
   readonly #names = new PartNames();
   readonly #measure: Measure;
-  readonly #marks: SVGGElement;
-  readonly #handles: SVGGElement;
+  readonly #marks = svg("g", { class: "marks" });
+  readonly #handles = svg("g", { class: "handles" });
   #drawn: Drawn[] = [];
   /** The parts as they are at the height that is looked at. */
   #seen: ScenePart[] = [];
@@ -68,11 +68,7 @@ export class PartsView {
     });
     this.#measure = new Measure(session, this.viewport);
     this.viewport.unit = session.scene.unit ?? "";
-    this.#parts = svg("g");
     this.viewport.world.append(this.#parts);
-    this.#pivots = svg("g", { class: "pivots" });
-    this.#marks = svg("g", { class: "marks" });
-    this.#handles = svg("g", { class: "handles" });
     this.viewport.overlay.append(this.#pivots, this.#names.group, this.#marks, this.#measure.group, this.#handles);
     this.#handles.addEventListener("keydown", (event) => {
       const [dx, dy] = ({ ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] } as Record<string, [number, number]>)[event.key] ?? [0, 0];

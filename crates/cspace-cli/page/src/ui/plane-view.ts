@@ -32,10 +32,10 @@ export class PlaneView {
   readonly viewport: Viewport;
   /** What drags contact curves. */
   readonly #contacts: ContactHand | null;
-  readonly #blocked: SVGRectElement;
-  readonly #free: SVGGElement;
-  readonly #curves: SVGGElement;
-  readonly #path: SVGPathElement;
+  readonly #blocked = svg("rect", { class: "blocked-space" });
+  readonly #free = svg("g");
+  readonly #curves = svg("g");
+  readonly #path = svg("path", { class: "way" });
   readonly #point: SVGGElement;
   readonly #lens: Lens;
   readonly #lookCloser = unhurried(() => this.#drawLens(), LENS_PAUSE);
@@ -50,10 +50,6 @@ export class PlaneView {
       grab: (at) => this.#grab(at),
       wheel: (at, event) => this.#wheel(at, event),
     });
-    this.#blocked = svg("rect", { class: "blocked-space" });
-    this.#free = svg("g");
-    this.#curves = svg("g");
-    this.#path = svg("path", { class: "way" });
     const clip = svg("clipPath", { id: "plane-period" }, svg("rect"));
     const content = svg("g", { "clip-path": "url(#plane-period)" }, this.#blocked, this.#free, this.#path, this.#curves);
     this.viewport.world.append(clip, content);

@@ -15,7 +15,7 @@ import { regionOf } from "./verdict.js";
 const LISTED = 8;
 
 export class Readout {
-  readonly #outdated: HTMLElement;
+  readonly #outdated = html("div", { class: "outdated-note", role: "status" });
   readonly #configuration: HTMLElement;
   readonly #class: HTMLElement;
   readonly #region: HTMLElement;
@@ -31,7 +31,6 @@ export class Readout {
       parent.append(html("div", { class: room }, html("dt", {}, name), value));
       return value;
     };
-    this.#outdated = html("div", { class: "outdated-note", role: "status" });
     parent.append(this.#outdated);
     this.#configuration = entry("configuration", "", "number");
     this.#class = entry("is", "short", "class");

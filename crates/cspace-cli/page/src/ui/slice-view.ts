@@ -38,9 +38,9 @@ export class SliceView {
   readonly #contacts: ContactHand | null;
   /** Whether contacts of other orientations are too far away to be shown together. */
   #swings = false;
-  readonly #curves: SVGGElement;
-  readonly #blocked: SVGPathElement;
-  readonly #path: SVGPathElement;
+  readonly #curves = svg("g");
+  readonly #blocked = svg("path", { class: "blocked-space", "fill-rule": "evenodd" });
+  readonly #path = svg("path", { class: "way" });
   readonly #point: SVGGElement;
   readonly #lens: Lens;
   readonly #lookCloser = unhurried(() => this.#drawLens(), LENS_PAUSE);
@@ -59,9 +59,6 @@ export class SliceView {
       },
     });
     this.viewport.unit = session.scene.unit ?? "";
-    this.#path = svg("path", { class: "way" });
-    this.#curves = svg("g");
-    this.#blocked = svg("path", { class: "blocked-space", "fill-rule": "evenodd" });
     this.viewport.world.append(this.#blocked, this.#path, this.#curves);
     this.#point = pointMark();
     this.viewport.overlay.append(this.#point);

@@ -18,12 +18,11 @@ interface Label {
 
 export class SpaceAxes {
   readonly group = new Group();
-  readonly #layer: HTMLElement;
+  readonly #layer = html("div", { class: "space-labels", "aria-hidden": "true" });
   readonly #material = new LineBasicMaterial({ color: 0x888888 });
   #labels: Label[] = [];
 
   constructor(parent: HTMLElement) {
-    this.#layer = html("div", { class: "space-labels", "aria-hidden": "true" });
     parent.append(this.#layer);
   }
 

@@ -50,7 +50,7 @@ export class SpaceMarks {
   /** The same, seen faintly through what is before it. */
   readonly #shining: Mesh<BufferGeometry, MeshBasicMaterial>;
   readonly #point = new Group();
-  readonly #dot: MeshBasicMaterial;
+  readonly #dot = new MeshBasicMaterial({ color: 0xffffff });
   #litPatches = "";
 
   constructor(window: Plane[]) {
@@ -80,7 +80,6 @@ export class SpaceMarks {
     );
     this.#shining.frustumCulled = false;
     this.#shining.renderOrder = 4;
-    this.#dot = new MeshBasicMaterial({ color: 0xffffff });
     const ball = new SphereGeometry(1, 24, 16);
     const dark = { color: 0x000000, side: BackSide };
     const rim = new Mesh(ball, new MeshBasicMaterial(dark));

@@ -44,7 +44,6 @@ export class SpaceView {
   /** Called when the user has looked from elsewhere. */
   onCamera: (() => void) | null = null;
   onProgress: ((left: number) => void) | null = null;
-  readonly #element: HTMLElement;
   readonly #renderer: WebGLRenderer;
   readonly #pace: Pace;
   #coarse = false;
@@ -68,8 +67,7 @@ export class SpaceView {
   #cameraFrom: readonly number[] | null;
 
   /** Throws where the browser has no WebGL. */
-  constructor(parent: HTMLElement, private readonly session: Session, camera: readonly number[] | null) {
-    this.#element = parent;
+  constructor(private readonly element: HTMLElement, private readonly session: Session, camera: readonly number[] | null) {
     this.#cameraFrom = camera;
     const canvas = document.createElement("canvas");
     // Asked here first, because three writes errors to the console where there is none.
@@ -83,8 +81,8 @@ export class SpaceView {
     this.canvas.tabIndex = 0;
     this.canvas.setAttribute("role", "application");
     this.canvas.setAttribute("aria-label", "The contact surface in x, y and orientation. Drag to look from elsewhere, drag the point to move the part.");
-    parent.append(this.canvas);
-    this.#axes = new SpaceAxes(parent);
+    element.append(this.canvas);
+    this.#axes = new SpaceAxes(element);
     this.#camera.up.set(0, 0, 1);
     this.#camera.add(this.#light);
     this.#light.position.set(0.4, 0.6, 1);
@@ -97,7 +95,7 @@ export class SpaceView {
       this.#moved = true;
       this.onCamera?.();
     });
-    new ResizeObserver(() => this.#resize()).observe(parent);
+    new ResizeObserver(() => this.#resize()).observe(element);
     session.store.subscribe((changed, state) => this.#update(changed, state));
     this.#resize();
   }
@@ -258,14 +256,14 @@ export class SpaceView {
   }
 
   applyTheme(): void {
-    const dark = getComputedStyle(this.#element).colorScheme.includes("dark");
+    const dark = getComputedStyle(this.element).colorScheme.includes("dark");
     this.#marks.theme(dark);
     this.#axes.theme(dark);
     this.#draw();
   }
 
   #resize(): void {
-    const { clientWidth: width, clientHeight: height } = this.#element;
+    const { clientWidth: width, clientHeight: height } = this.element;
     if (width === 0 || height === 0) return;
     this.#renderer.setSize(width, height);
     this.#camera.aspect = width / height;
@@ -283,7 +281,7 @@ export class SpaceView {
         const next = this.#pace.next(this.session.state.dragging, this.#coarse);
         // What is dragged in this view is seen nowhere else so well.
         const waits = next === "none" && this.#controls.enabled;
-        this.#element.classList.toggle("waits", waits);
+        this.element.classList.toggle("waits", waits);
         if (waits) return;
         this.#setCoarse(next !== "fine");
         this.drawNow();
@@ -300,13 +298,13 @@ export class SpaceView {
   drawNow(): void {
     if (this.#frame !== null) cancelAnimationFrame(this.#frame);
     this.#frame = null;
-    if (!this.#kernel || this.#element.clientHeight === 0) return;
+    if (!this.#kernel || this.element.clientHeight === 0) return;
     const distance = this.#camera.position.distanceTo(this.#marks.point.position);
-    const perPixel = (2 * distance * Math.tan((FIELD_OF_VIEW * Math.PI) / 360)) / Math.max(1, this.#element.clientHeight);
+    const perPixel = (2 * distance * Math.tan((FIELD_OF_VIEW * Math.PI) / 360)) / Math.max(1, this.element.clientHeight);
     this.#marks.scalePoint(perPixel);
     this.#renderer.render(this.#scene, this.#camera);
     this.#pace.sent();
-    this.#axes.place(this.#camera, this.#element.clientWidth, this.#element.clientHeight);
+    this.#axes.place(this.#camera, this.element.clientWidth, this.element.clientHeight);
   }
 
   #ndc(event: { clientX: number; clientY: number }): Vector2 {

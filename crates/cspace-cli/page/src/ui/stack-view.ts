@@ -26,22 +26,20 @@ const LEAST = 3;
 
 export class StackView {
   readonly svg = svg("svg", { class: "stack-view", role: "img" });
-  readonly #element: HTMLElement;
   readonly #choice = html("select", { "aria-label": "Height" });
   /** The lowest first. */
   #intervals: Interval[] = [];
 
-  constructor(parent: HTMLElement, private readonly session: Session) {
-    this.#element = parent;
-    parent.append(this.#choice, this.svg);
+  constructor(private readonly element: HTMLElement, private readonly session: Session) {
+    element.append(this.#choice, this.svg);
     this.#choice.addEventListener("change", () => this.#choose(this.#intervals[this.#intervals.length - this.#choice.selectedIndex] ?? null));
     this.svg.addEventListener("click", (event) => this.#click(event));
     new ResizeObserver(() => this.#draw()).observe(this.svg);
     session.store.subscribe((changed, { parts }) => {
       if (changed.has("parts")) {
         this.#intervals = intervalsOf(parts);
-        parent.hidden = this.#intervals.length === 0;
-        parent.style.setProperty("--columns", String(parts.length));
+        element.hidden = this.#intervals.length === 0;
+        element.style.setProperty("--columns", String(parts.length));
       }
       if ((["parts", "height", "scene"] as Key[]).some((k) => changed.has(k))) this.#list();
       if ((["parts", "height", "scene", "pair"] as Key[]).some((k) => changed.has(k))) this.#draw();
@@ -49,7 +47,7 @@ export class StackView {
   }
 
   get isShown(): boolean {
-    return !this.#element.hidden;
+    return !this.element.hidden;
   }
 
   #choose(interval: Interval | null): void {

@@ -15,16 +15,13 @@ const UNLIMITED = 100;
 
 export class ThetaSlider {
   readonly #slider: HTMLElement;
-  readonly #canvas: HTMLCanvasElement;
-  readonly #text: HTMLElement;
-  readonly #name: HTMLElement;
+  readonly #canvas = html("canvas", { "aria-hidden": "true" });
+  readonly #text = html("output", { class: "band-text" });
+  readonly #name = html("span", { class: "theta-name" }, "θ");
   readonly #bands: HTMLButtonElement[];
 
   constructor(parent: HTMLElement, private readonly session: Session) {
-    this.#canvas = html("canvas", { "aria-hidden": "true" });
     this.#slider = html("div", { class: "theta-slider", role: "slider", tabindex: 0, "aria-label": "Orientation" }, this.#canvas);
-    this.#text = html("output", { class: "band-text" });
-    this.#name = html("span", { class: "theta-name" }, "θ");
     const step = (text: string, label: string, by: 1 | -1) => button(text, () => session.stepBand(by), { "aria-label": label, title: label });
     this.#bands = [step("◀", "Previous band (Page Down)", -1), step("▶", "Next band (Page Up)", 1)];
     parent.append(this.#name, ...this.#bands.slice(0, 1), this.#slider, ...this.#bands.slice(1), this.#text);

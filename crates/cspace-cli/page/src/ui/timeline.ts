@@ -23,37 +23,31 @@ interface Origin {
 }
 
 export class Timeline {
-  readonly #element: HTMLElement;
   readonly #play: HTMLButtonElement;
-  readonly #scrub: HTMLInputElement;
-  readonly #ticks: HTMLElement;
+  readonly #scrub = html("input", { type: "range", min: 0, max: 1, step: "any", value: 0, "aria-label": "Time" });
+  readonly #ticks = html("div", { class: "ticks" });
   readonly #track: HTMLElement;
   readonly #loop: HTMLButtonElement;
   readonly #trace: HTMLButtonElement;
-  readonly #text: HTMLElement;
-  readonly #choice: HTMLSelectElement;
+  readonly #text = html("output", { class: "time-text" });
+  readonly #choice = html("select", { "aria-label": "Record" });
   readonly #again = html("button", { type: "button", hidden: "" });
   readonly #records = new Map<PlayableRecord, Origin>();
   #last = 0;
 
-  constructor(parent: HTMLElement, private readonly session: Session, private readonly edits: () => Edits) {
-    this.#element = parent;
+  constructor(private readonly element: HTMLElement, private readonly session: Session, private readonly edits: () => Edits) {
     const { store } = session;
-    this.#choice = html("select", { "aria-label": "Record" });
     this.#choice.addEventListener("change", () => {
       this.#choose([...this.#records.keys()][this.#choice.selectedIndex] ?? null);
       this.showStart();
     });
     this.#play = button("▶", () => this.toggle(), { class: "play" });
-    this.#scrub = html("input", { type: "range", min: 0, max: 1, step: "any", value: 0, "aria-label": "Time" });
     this.#scrub.addEventListener("input", () => store.change({ time: Number(this.#scrub.value), playing: false }));
-    this.#ticks = html("div", { class: "ticks" });
     this.#track = html("div", { class: "track" }, this.#ticks, this.#scrub);
     const pressed = (b: HTMLElement, on: boolean) => set(b, { "aria-pressed": String(on) });
     this.#loop = button("Loop", () => pressed(this.#loop, !this.#isLoop), { class: "small", "aria-pressed": "false", title: "Play again and again" });
     this.#trace = button("Trace", () => store.change({ traced: store.state.traced ? null : "next" }), { class: "small", title: "Then click a point of a part: the path that it takes is drawn" });
     store.subscribe((changed, { traced }) => changed.has("traced") && pressed(this.#trace, traced !== null));
-    this.#text = html("output", { class: "time-text" });
     const speed = html("select", { "aria-label": "Speed" }, ...SPEEDS.map((s) => html("option", { value: s }, `${s}×`)));
     speed.value = "1";
     speed.addEventListener("change", () => store.change({ speed: Number(speed.value) }));
@@ -66,7 +60,7 @@ export class Timeline {
       again().catch((error: unknown) => store.change({ message: failure(error) }));
     });
     const close = button("✕", () => this.#choose(null), { "aria-label": "Close the record" });
-    parent.append(this.#choice, this.#play, this.#track, speed, this.#loop, this.#trace, this.#text, this.#again, close);
+    element.append(this.#choice, this.#play, this.#track, speed, this.#loop, this.#trace, this.#text, this.#again, close);
     for (const { name, record } of session.scene.records) this.#keep(() => readRecord(name, record));
     store.subscribe((changed) => this.#update(changed));
     const all = [...this.#records.keys()];
@@ -228,7 +222,7 @@ export class Timeline {
   }
 
   #drawRecord(record: PlayableRecord | null): void {
-    this.#element.hidden = !record;
+    this.element.hidden = !record;
     this.#choice.replaceChildren(...[...this.#records.keys()].map((r) => html("option", {}, r.name)));
     if (!record) return;
     this.#choice.selectedIndex = [...this.#records.keys()].indexOf(record);

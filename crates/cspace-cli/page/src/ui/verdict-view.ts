@@ -20,7 +20,6 @@ const PAUSE = 120;
 const LISTED = 3;
 
 export class VerdictView {
-  readonly #element: HTMLElement;
   readonly #question = html("h2", { id: "question" });
   readonly #headline = html("p", { class: "headline", "aria-live": "polite" });
   readonly #order = html("p", {});
@@ -30,13 +29,12 @@ export class VerdictView {
   readonly #held = html("div", { class: "held", "aria-live": "polite" });
   readonly #tellLater = unhurried(() => this.#tell(), PAUSE);
 
-  constructor(parent: HTMLElement, private readonly session: Session) {
-    this.#element = parent;
-    parent.append(this.#question, html("div", { id: "verdict" }, this.#headline, this.#order, this.#held));
+  constructor(private readonly element: HTMLElement, private readonly session: Session) {
+    element.append(this.#question, html("div", { id: "verdict" }, this.#headline, this.#order, this.#held));
     const first = firstPair(session.scene);
     session.store.subscribe((changed, state) => {
       if (changed.has("pair")) {
-        this.#element.style.minHeight = this.#details.style.minHeight = "";
+        this.element.style.minHeight = this.#details.style.minHeight = "";
         say(this.#question, (state.pair === first && session.scene.show.question) || "");
       }
       if (changed.has("held")) this.#sayHeld();
@@ -50,7 +48,7 @@ export class VerdictView {
     const told = this.#told();
     const touches = state.where.classification === "contact" || state.where.fits;
     set(document.body, { "data-standing": told && standing(told) });
-    set(this.#element, { class: touches ? "touching" : null });
+    set(this.element, { class: touches ? "touching" : null });
     this.#light(told);
     if (told) say(this.#headline, headline(told));
     else if (state.space.state === "loading") say(this.#headline, "Computing …");
@@ -113,6 +111,6 @@ export class VerdictView {
   /** What took room once keeps it: what is below stays in its place. */
   #show(element: HTMLElement, lines: readonly string[]): void {
     element.replaceChildren(...lines.map((line) => html("p", {}, line)));
-    for (const e of [this.#element, this.#details]) e.style.minHeight = `${e.offsetHeight}px`;
+    for (const e of [this.element, this.#details]) e.style.minHeight = `${e.offsetHeight}px`;
   }
 }

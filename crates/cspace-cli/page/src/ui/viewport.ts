@@ -51,17 +51,17 @@ const ZOOM_PER_PIXEL = 1.0015;
 export class Viewport {
   readonly svg: SVGSVGElement;
   /** In the model's unit. */
-  readonly world: SVGGElement;
+  readonly world = svg("g");
   /** In pixels, on top. */
-  readonly overlay: SVGGElement;
+  readonly overlay = svg("g");
   /** What depends on the scale is drawn again. */
   onView: (() => void) | null = null;
   unit = "";
   kinds: [AxisKind, AxisKind] = ["length", "length"];
 
-  readonly #grid: SVGPathElement;
-  readonly #axes: SVGPathElement;
-  readonly #numbers: SVGGElement;
+  readonly #grid = svg("path", { class: "grid" });
+  readonly #axes = svg("path", { class: "grid-axes" });
+  readonly #numbers = svg("g", { class: "grid-numbers", "aria-hidden": "true" });
   #center: Place = { x: 0, y: 0 };
   /** Pixels per unit. */
   #scale: Place = { x: 1, y: 1 };
@@ -76,11 +76,6 @@ export class Viewport {
 
   constructor(parent: HTMLElement, private readonly options: ViewportOptions) {
     this.svg = svg("svg", { class: "viewport", role: "application", "aria-label": options.label, tabindex: 0 });
-    this.#grid = svg("path", { class: "grid" });
-    this.#axes = svg("path", { class: "grid-axes" });
-    this.world = svg("g");
-    this.#numbers = svg("g", { class: "grid-numbers", "aria-hidden": "true" });
-    this.overlay = svg("g");
     this.svg.append(this.#grid, this.#axes, this.world, this.#numbers, this.overlay);
     parent.append(this.svg);
     this.#listen();
