@@ -8,7 +8,7 @@ import { answer, failure, messageDrawn, note, showMessage } from "../ui/message.
 import type { Message } from "../ui/state.js";
 import { makeHelp } from "../ui/help.js";
 import { length, short } from "../ui/numbers.js";
-import { boxOf, curvePath, outlinePath } from "../ui/outline.js";
+import { boxOf, centerOf, curvePath, outlinePath } from "../ui/outline.js";
 import { regionColour } from "../ui/colours.js";
 import type { SceneVertex } from "../scene.js";
 import { followTheme, themeText } from "../ui/theme.js";
@@ -85,7 +85,7 @@ export function openDrawing(scene: DrawingScene): void {
     click(face, event.shiftKey);
   });
   const box = boxOf(scene.curves);
-  const middle = { x: (box.x0 + box.x1) / 2, y: (box.y0 + box.y1) / 2 };
+  const middle = centerOf(box);
   const drawnUnit = (extent(scene) || 1) / DRAWN_SIZE;
   const local = (loops: readonly SceneVertex[][]) =>
     loops.map((loop) => loop.map(({ x, y, bulge }) => ({ x: (x - middle.x) / drawnUnit, y: (y - middle.y) / drawnUnit, bulge })));

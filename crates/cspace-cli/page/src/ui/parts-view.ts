@@ -13,7 +13,7 @@ import { isAt, partAt, touchesAt } from "./heights.js";
 import { lowerPair } from "./lower.js";
 import { Measure } from "./measure.js";
 import { placed } from "./mechanism.js";
-import { boxOf, edgeOf, edgePath, emptyBox, featurePlace, grow, outlinePath } from "./outline.js";
+import { boxOf, centerOf, edgeOf, edgePath, emptyBox, featurePlace, grow, outlinePath } from "./outline.js";
 import { PartNames } from "./part-names.js";
 import { IDENTITY, TURN, apply, coordinateOf, inverse, ofMotion, rotate, shortestTurn, unit, type Placement } from "./placement.js";
 import type { MechanismHand } from "./mechanism-hand.js";
@@ -251,8 +251,7 @@ export class PartsView {
     state.parts.forEach((part, i) => {
       if (part.motion.type === "revolute") pivot(part.motion.center, "pivot", `pivot of ${part.name}`);
       if (part.motion.type === "prismatic") {
-        const box = boxOf(part.loops);
-        const at = this.viewport.toScreen(apply(state.placements[i] ?? IDENTITY, { x: (box.x0 + box.x1) / 2, y: (box.y0 + box.y1) / 2 }));
+        const at = this.viewport.toScreen(apply(state.placements[i] ?? IDENTITY, centerOf(boxOf(part.loops))));
         const d = unit(part.motion.direction);
         marks.push(svg("path", { class: "pivot", d: `M${at.x - 22 * d.x} ${at.y + 22 * d.y}L${at.x + 22 * d.x} ${at.y - 22 * d.y}` }, svg("title", {}, `slides: ${part.name}`)));
       }
@@ -342,14 +341,9 @@ export class PartsView {
     if (motion.type === "prismatic") this.#session.nudge(0, wheelSlide(event) * this.viewport.pixel.x);
     else if (motion.type === "revolute") this.#session.turn(wheelAngle(event));
     else if (state.dragging) this.#session.turn(wheelAngle(event));
-    else this.#session.turn(wheelAngle(event), apply(inverse(placement), event.shiftKey ? centerOf(moving, placement) : at));
+    else this.#session.turn(wheelAngle(event), apply(inverse(placement), event.shiftKey ? apply(placement, centerOf(boxOf(moving.loops))) : at));
     return true;
   }
-}
-
-function centerOf(part: ScenePart, p: Placement): Place {
-  const box = boxOf(part.loops);
-  return apply(p, { x: (box.x0 + box.x1) / 2, y: (box.y0 + box.y1) / 2 });
 }
 
 function lowerHinge({ pair, state }: Session): Place | null {

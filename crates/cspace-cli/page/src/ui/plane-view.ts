@@ -9,7 +9,7 @@ import { set, svg } from "./dom.js";
 import { isAxes } from "./mechanism.js";
 import { Lens, lensBox } from "./lens.js";
 import { degrees, length, rounded } from "./numbers.js";
-import { emptyBox, grow, type Box } from "./outline.js";
+import { emptyBox, growBy, type Box } from "./outline.js";
 import { TURN, wrap } from "./placement.js";
 import { playOf } from "./play.js";
 import type { Session } from "./session.js";
@@ -103,9 +103,7 @@ export class PlaneView {
   /** Shows all of a region. */
   fitRegion(region: number): void {
     const box = emptyBox();
-    for (const { region: of, points } of this.#drawn?.free ?? []) {
-      if (of === region) for (let i = 0; i + 1 < points.length; i += 2) grow(box, { x: points[i] ?? 0, y: points[i + 1] ?? 0 });
-    }
+    for (const { region: of, points } of this.#drawn?.free ?? []) if (of === region) growBy(box, points);
     this.viewport.fit(box, 0.06);
   }
 

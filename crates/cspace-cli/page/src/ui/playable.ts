@@ -32,14 +32,20 @@ export interface Sample {
   parts: Map<string, Placement | number>;
 }
 
-/** Index of the last step that is not after `t`, and how much of the way to the next has gone. */
-function between(steps: readonly { t: number }[], t: number): [number, number] {
-  let [lo, hi] = [0, steps.length - 1];
+/** Index of the last of ascending times that is not after `t`, or of the first. */
+export function lastAt(count: number, timeOf: (index: number) => number | undefined, t: number): number {
+  let [lo, hi] = [0, count - 1];
   while (lo < hi) {
     const middle = Math.ceil((lo + hi) / 2);
-    if ((steps[middle]?.t ?? Infinity) <= t) lo = middle;
+    if ((timeOf(middle) ?? Infinity) <= t) lo = middle;
     else hi = middle - 1;
   }
+  return lo;
+}
+
+/** Index of the last step that is not after `t`, and how much of the way to the next has gone. */
+function between(steps: readonly { t: number }[], t: number): [number, number] {
+  const lo = lastAt(steps.length, (i) => steps[i]?.t, t);
   const [a, b] = [steps[lo]?.t ?? 0, steps[lo + 1]?.t];
   return [lo, b === undefined || b <= a ? 0 : Math.min(1, Math.max(0, (t - a) / (b - a)))];
 }

@@ -2,7 +2,7 @@
 
 import type { ScenePart } from "../scene.js";
 import { rounded } from "./numbers.js";
-import { timeAt, type PlayableRecord } from "./playable.js";
+import { lastAt, timeAt, type PlayableRecord } from "./playable.js";
 
 export interface Series {
   /** Such as `wheel`, or `ring x`. */
@@ -61,12 +61,7 @@ export function seriesOf(record: PlayableRecord, parts: readonly ScenePart[], na
 
 /** The value at a time: the last that is not after it, as the parts are played; on a planned way, which is straight between its corners, between two. */
 export function valueAt({ times, values }: Series, t: number, straight: boolean): number {
-  let [lo, hi] = [0, times.length - 1];
-  while (lo < hi) {
-    const middle = Math.ceil((lo + hi) / 2);
-    if ((times[middle] ?? Infinity) <= t) lo = middle;
-    else hi = middle - 1;
-  }
+  const lo = lastAt(times.length, (i) => times[i], t);
   const [a = 0, b = a] = [values[lo], values[lo + 1]];
   const [s = 0, e = s] = [times[lo], times[lo + 1]];
   return straight && e > s ? a + (b - a) * Math.min(1, Math.max(0, (t - s) / (e - s))) : a;

@@ -9,7 +9,7 @@ import { DragGoal } from "./drag-goal.js";
 import { isPlanar } from "./mechanism.js";
 import { Lens, lensBox } from "./lens.js";
 import { length, rounded } from "./numbers.js";
-import { emptyBox, grow, type Box } from "./outline.js";
+import { emptyBox, grow, growBy, type Box } from "./outline.js";
 import { playOf } from "./play.js";
 import type { Session } from "./session.js";
 import { sliceExtent } from "./slice-extent.js";
@@ -183,9 +183,7 @@ export class SliceView {
 }
 
 function boxOfCurves(curves: readonly DrawnCurve[]): Box {
-  const box = emptyBox();
-  for (const { points } of curves) for (let i = 0; i + 1 < points.length; i += 2) grow(box, { x: points[i] ?? 0, y: points[i + 1] ?? 0 });
-  return box;
+  return curves.reduce((box, { points }) => growBy(box, points), emptyBox());
 }
 
 /** How far a point is outside of a box; no number of an empty box. */

@@ -7,7 +7,7 @@ import type { Place } from "../scene.js";
 import { TOUCHING } from "./colours.js";
 import { DragGoal } from "./drag-goal.js";
 import { isPlanar } from "./mechanism.js";
-import { boxOf } from "./outline.js";
+import { boxOf, centerOf } from "./outline.js";
 import { Pace } from "./pace.js";
 import { wrap } from "./placement.js";
 import type { Session } from "./session.js";
@@ -232,7 +232,7 @@ export class SpaceView {
     const { pair, state } = this.session;
     if (!pair || !swings(this.session, kernel)) return { ...kernel.bounds(), arm: { x: 0, y: 0 } };
     const [fixed, moving] = [boxOf(state.parts[pair.fixed]?.loops ?? []), boxOf(state.parts[pair.moving]?.loops ?? [])];
-    const arm = { x: (moving.x0 + moving.x1) / 2, y: (moving.y0 + moving.y1) / 2 };
+    const arm = centerOf(moving);
     // In contact, the part's middle is no farther from the other than its corners are from its middle.
     const reach = Math.hypot(moving.x1 - moving.x0, moving.y1 - moving.y0) / 2;
     return { lo: [fixed.x0 - reach - arm.x, fixed.y0 - reach - arm.y], hi: [fixed.x1 + reach - arm.x, fixed.y1 + reach - arm.y], arm };

@@ -4,7 +4,7 @@ import type { Place } from "../scene.js";
 import { set, svg } from "./dom.js";
 import { gridLines, heldScale, lineText } from "./grid.js";
 import { angleStep, lengthStep } from "./numbers.js";
-import type { Box } from "./outline.js";
+import { centerOf, type Box } from "./outline.js";
 import { turnBetween } from "./placement.js";
 
 /** What is dragged, if not the plane itself. */
@@ -119,7 +119,7 @@ export class Viewport {
     const x = this.#width / (w * (1 + 2 * margin));
     const y = this.#height / (h * (1 + 2 * margin));
     const least = Math.min(x, y);
-    this.#center = { x: (box.x0 + box.x1) / 2, y: (box.y0 + box.y1) / 2 };
+    this.#center = centerOf(box);
     this.#scale = this.options.uniform ? { x: least, y: least } : { x, y };
     this.#draw();
   }
