@@ -220,7 +220,7 @@ export class Session {
   /** Places parts of a simulation; the configuration follows. */
   setPlacements(placements: Placement[]): void {
     const pair = this.pair;
-    this.store.change({ placements });
+    this.store.change({ placements, displaced: false });
     if (!pair) return;
     this.store.change({ configuration: configurationOf(this.scene, pair, placements) });
     this.#look();
