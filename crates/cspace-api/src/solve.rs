@@ -206,7 +206,8 @@ impl Question {
 }
 
 impl Solutions {
-    fn of(spans: &[Span], found: Solved) -> Self {
+    /// The answer for what was found of some parameters.
+    pub fn of(spans: &[Span], found: Solved) -> Self {
         let named = |values: Vec<f64>| {
             let names = spans.iter().map(|span| span.parameter.clone());
             names.zip(values).collect()

@@ -36,20 +36,18 @@ impl Sweep<'_> {
         let range = (end(last) - end(first)).abs();
         let (tolerance, takeover) = (RESOLUTION * range, TAKEOVER * range);
         let states: Vec<Vec<State>> = parallel::map(line, 1, |row| self.states(row));
-        let known: Vec<(&Vec<f64>, Vec<State>)> = line.iter().zip(states).collect();
-        let neighbours: Vec<_> = known.windows(2).collect();
-        let found = parallel::map(&neighbours, 1, |w| {
-            let mut steps = Vec::new();
-            let below = (end(w[0].0), &w[0].1[..]);
-            let above = (end(w[1].0), &w[1].1[..]);
-            self.locate(first, below, above, tolerance, &mut steps);
-            steps
+        let known: Vec<(f64, Vec<State>)> = line.iter().map(|row| end(row)).zip(states).collect();
+        let steps = steps(&known, tolerance, &|at| {
+            let mut values = first.clone();
+            if let Some(last) = values.last_mut() {
+                *last = at;
+            }
+            self.states(&values)
         });
-        let steps: Vec<Step> = found.into_iter().flatten().collect();
         let mut changes = Vec::new();
         for (i, measure) in self.measures().iter().enumerate() {
             let mine = steps.iter().filter(|s| s.below[i] != s.above[i]);
-            let mut merged: Vec<Step> = Vec::new();
+            let mut merged: Vec<Step<Vec<State>>> = Vec::new();
             for step in mine {
                 match merged.last_mut() {
                     Some(last) if step.at - last.at <= takeover => {
@@ -80,41 +78,70 @@ impl Sweep<'_> {
         changes.sort_by(|a, b| at(a).total_cmp(&at(b)));
         changes
     }
-
-    fn locate(
-        &self,
-        line: &[f64],
-        below: (f64, &[State]),
-        above: (f64, &[State]),
-        tolerance: f64,
-        found: &mut Vec<Step>,
-    ) {
-        if below.1 == above.1 {
-            return;
-        }
-        let at = 0.5 * (below.0 + above.0);
-        if above.0 - below.0 <= tolerance || at <= below.0 || at >= above.0 {
-            found.push(Step {
-                at,
-                below: below.1.to_vec(),
-                above: above.1.to_vec(),
-            });
-            return;
-        }
-        let mut values = line.to_vec();
-        if let Some(last) = values.last_mut() {
-            *last = at;
-        }
-        let states = self.states(&values);
-        self.locate(line, below, (at, &states), tolerance, found);
-        self.locate(line, (at, &states), above, tolerance, found);
-    }
 }
 
-/// Two neighbouring places at which something differs.
-#[derive(Debug, Clone)]
-struct Step {
-    at: f64,
-    below: Vec<State>,
-    above: Vec<State>,
+/// A place at which a state changes, and the states on both sides of it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Step<S> {
+    /// The place.
+    pub at: f64,
+    /// The state below it.
+    pub below: S,
+    /// The state above it.
+    pub above: S,
+}
+
+/// Places at which a state changes within a range: between neighbours of `samples` values that differ, by bisection, to 10⁻⁹ of the range,
+/// but for what changes and changes back between two neighbours.
+pub fn steps_in<S: Clone + PartialEq + Send + Sync>(
+    (lo, hi): (f64, f64),
+    samples: usize,
+    state: &(dyn Fn(f64) -> S + Sync),
+) -> Vec<Step<S>> {
+    let most = samples.max(2) - 1;
+    let values: Vec<f64> = (0..=most)
+        .map(|i| lo + (hi - lo) * (i as f64 / most as f64))
+        .collect();
+    let states = parallel::map(&values, 1, |at| state(*at));
+    let known: Vec<(f64, S)> = values.into_iter().zip(states).collect();
+    steps(&known, RESOLUTION * (hi - lo).abs(), state)
+}
+
+/// Places at which a state changes between neighbours at which it is known, to within a tolerance.
+fn steps<S: Clone + PartialEq + Send + Sync>(
+    known: &[(f64, S)],
+    tolerance: f64,
+    state: &(dyn Fn(f64) -> S + Sync),
+) -> Vec<Step<S>> {
+    let neighbours: Vec<&[(f64, S)]> = known.windows(2).collect();
+    let found = parallel::map(&neighbours, 1, |w| {
+        let mut steps = Vec::new();
+        locate(&w[0], &w[1], tolerance, state, &mut steps);
+        steps
+    });
+    found.into_iter().flatten().collect()
+}
+
+fn locate<S: Clone + PartialEq>(
+    below: &(f64, S),
+    above: &(f64, S),
+    tolerance: f64,
+    state: &dyn Fn(f64) -> S,
+    found: &mut Vec<Step<S>>,
+) {
+    if below.1 == above.1 {
+        return;
+    }
+    let at = 0.5 * (below.0 + above.0);
+    if above.0 - below.0 <= tolerance || at <= below.0 || at >= above.0 {
+        found.push(Step {
+            at,
+            below: below.1.clone(),
+            above: above.1.clone(),
+        });
+        return;
+    }
+    let middle = (at, state(at));
+    locate(below, &middle, tolerance, state, found);
+    locate(&middle, above, tolerance, state, found);
 }

@@ -53,7 +53,7 @@ mod tolerance;
 mod touching;
 mod value;
 
-pub use changes::Change;
+pub use changes::{Change, Step, steps_in};
 pub use check::{Checked, Interrupted, check, check_by, check_with};
 pub use displace::{Displaced, Outcome, displace};
 pub use measure::measure;

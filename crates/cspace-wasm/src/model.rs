@@ -4,12 +4,14 @@ use core::f64::consts::TAU;
 
 use cspace::{AxisMotion, Coordinates, Silent};
 use cspace_api::check::Requirement;
+use cspace_api::disassemble::Disassembly;
 use cspace_api::scene::{Edits, Opened, SceneSetting};
-use cspace_api::{plan, simulate};
+use cspace_api::{plan, simulate, solve};
 use cspace_design::{ContactGoal, Span};
 use cspace_model::model::{Coordinate, Template};
 use cspace_model::{DriveMotion, Mechanism};
 use cspace_motion::{Record, Report, Settings, Simulation, Way};
+use cspace_plan::assembly::Assembly;
 use cspace_plan::{Clearance, Planner, Wishes};
 use serde::{Deserialize, Serialize};
 use wasm_bindgen::prelude::*;
@@ -54,6 +56,15 @@ impl From<Of> for Coordinate {
             Of::V => Self::V,
         }
     }
+}
+
+/// Where free regions of a pair open, close, join or part as a parameter goes through a range.
+#[derive(Serialize)]
+struct RegionChange {
+    at: f64,
+    /// How many there are below and above, and how many of them are caged; null where there is no space.
+    below: Option<[usize; 2]>,
+    above: Option<[usize; 2]>,
 }
 
 /// Values of parameters, or the reason why there are none.
@@ -142,6 +153,49 @@ impl Model {
         json(&rows)
     }
 
+    /// Answer of `cspace solve --json` for the edited model; the question is that of the command, as JSON.
+    pub fn solve(&self, edits: &str, question: &str) -> Result<String, JsError> {
+        let edits = parsed(edits)?;
+        let question: solve::Question = serde_json::from_str(question).map_err(fault)?;
+        let (template, set) = self.opened.template(&edits).map_err(fault)?;
+        let (vary, goal) = (&question.vary, &question.so_that);
+        let samples = question.samples as usize;
+        let found = cspace_design::solve(template, &set, vary, goal, samples, &Silent);
+        json(&solve::Solutions::of(vary, found))
+    }
+
+    /// Where the number of a pair's free regions, or of those that are caged, changes as a parameter of the edited model goes from one
+    /// value to another, as JSON: `[{"at", "below": [regions, caged] or null, "above"}]`.
+    #[wasm_bindgen(js_name = regionChanges)]
+    pub fn region_changes(
+        &self,
+        pair: usize,
+        edits: &str,
+        parameter: &str,
+        lo: f64,
+        hi: f64,
+    ) -> Result<String, JsError> {
+        let edits = parsed(edits)?;
+        let regions = |at: f64| {
+            let mut edits = edits.clone();
+            edits.set.push(SceneSetting {
+                name: parameter.to_owned(),
+                value: format!("{at:?}"),
+            });
+            let (_, space) = (self.opened).edited_space(pair, &edits, &Silent).ok()?;
+            let regions = space.regions();
+            let caged = regions.iter().filter(|r| !r.unbounded).count();
+            Some([regions.len(), caged])
+        };
+        let steps = cspace_design::steps_in((lo, hi), solve::SAMPLES as usize, &regions);
+        let changes = steps.into_iter().map(|step| RegionChange {
+            at: step.at,
+            below: step.below,
+            above: step.above,
+        });
+        json(&changes.collect::<Vec<_>>())
+    }
+
     /// Finds values of parameters that move a contact of a pair to where it is dragged, with the smallest change
     /// relative to the ranges. `dragged` is a `ContactDrag`, and the answer `{"set": [{"name", "value"}], "none": why
     /// there are none}`.
@@ -218,6 +272,20 @@ impl Model {
         ))
     }
 
+    /// Answer of `cspace disassemble --json` for the edited model: how its parts come apart.
+    pub fn disassemble(&self, edits: &str) -> Result<String, JsError> {
+        let model = (self.opened.edited(&parsed(edits)?).map_err(fault)?).mechanism;
+        let begin = seconds();
+        let assembly = Assembly::new(&model, None).map_err(fault)?;
+        let taken = assembly.take_apart_with(&Silent).map_err(fault)?;
+        json(&Disassembly::of(
+            &model,
+            &assembly,
+            taken,
+            seconds() - begin,
+        ))
+    }
+
     /// Answer of `cspace simulate --json` for the edited mechanism, with states between samples: its motion
     /// while the slowest drive makes a turn, with masses if it has any.
     pub fn simulate(&self, edits: &str) -> Result<String, JsError> {
@@ -272,7 +340,7 @@ fn answer(
     let report = Report::of(simulation, record);
     let reported = simulate::Reported {
         rates: false,
-        forces: false,
+        forces: true,
         states: true,
     };
     simulate::Motion::of(model, simulation, (record, &report), reported, seconds)

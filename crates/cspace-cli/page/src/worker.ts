@@ -42,8 +42,14 @@ function done(known: Known, asked: Request): string {
       return model.plan(asked.pair, asked.edits, Float64Array.from(asked.from), Float64Array.from(asked.to), asked.widest);
     case "simulate":
       return model.simulate(asked.edits);
+    case "disassemble":
+      return model.disassemble(asked.edits);
     case "check":
       return model.check(asked.edits);
+    case "solve":
+      return model.solve(asked.edits, asked.question);
+    case "regions":
+      return model.regionChanges(asked.pair, asked.edits, asked.parameter, ...asked.range);
     case "contact":
       return model.putContact(asked.pair, asked.edits, asked.contact);
     case "drag":

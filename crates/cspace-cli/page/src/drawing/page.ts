@@ -6,14 +6,14 @@ import { writeFragment } from "../ui/entries.js";
 import { chooseFile, listenToDrops, showFile, showModel } from "../ui/files.js";
 import { answer, failure, messageDrawn, note, showMessage } from "../ui/message.js";
 import type { Message } from "../ui/state.js";
+import { makeHelp } from "../ui/help.js";
 import { length, short } from "../ui/numbers.js";
-import { boxOf, curvePath, outlinePath } from "../ui/outline.js";
+import { boxOf, centerOf, curvePath, outlinePath } from "../ui/outline.js";
 import { regionColour } from "../ui/colours.js";
 import type { SceneVertex } from "../scene.js";
-import { followTheme } from "../ui/theme.js";
+import { followTheme, themeText } from "../ui/theme.js";
 import { Viewport } from "../ui/viewport.js";
-import { NOTHING, clicked, fragment, fromFragment, imported, joined, options, partOf, removed, renamed, request, wrongName } from "./picks.js";
-import type { Picks } from "./picks.js";
+import { NOTHING, clicked, fragment, fromFragment, imported, joined, options, partOf, removed, renamed, request, wrongName, type Picks } from "./picks.js";
 import type { DrawingScene } from "./scene.js";
 import { sourceInUtf8 } from "./utf8.js";
 
@@ -23,7 +23,7 @@ const DRAWN_SIZE = 1000;
 const CLICK = 4;
 
 export function openDrawing(scene: DrawingScene): void {
-  followTheme();
+  const nextTheme = followTheme();
   document.body.classList.add("drawing");
   set(byId("left"), { "aria-label": "Drawing" });
   const { name, unit, command } = scene.source;
@@ -85,7 +85,7 @@ export function openDrawing(scene: DrawingScene): void {
     click(face, event.shiftKey);
   });
   const box = boxOf(scene.curves);
-  const middle = { x: (box.x0 + box.x1) / 2, y: (box.y0 + box.y1) / 2 };
+  const middle = centerOf(box);
   const drawnUnit = (extent(scene) || 1) / DRAWN_SIZE;
   const local = (loops: readonly SceneVertex[][]) =>
     loops.map((loop) => loop.map(({ x, y, bulge }) => ({ x: (x - middle.x) / drawnUnit, y: (y - middle.y) / drawnUnit, bulge })));
@@ -136,8 +136,10 @@ export function openDrawing(scene: DrawingScene): void {
   set(add, { "aria-pressed": "false" });
   const clear = tool("Clear", "Take all parts back", () => change(NOTHING));
   const saving = tool("Save model", "Save the parts as a model (TOML)", save);
-  const opening = tool("Open", "Show two parts or more, and their configuration spaces", open);
+  const opening = tool("Show motion", "Show two parts or more, and their configuration spaces", open);
   tool("Open file", "Open another drawing (DXF, SVG) or a model (TOML)", () => chooseFile(".dxf,.svg,.toml", taken));
+  const theme: HTMLButtonElement = tool(themeText("auto"), "Light, dark, or as the system", () => say(theme, themeText(nextTheme())));
+  tool("?", "Help", makeHelp().show).setAttribute("aria-label", "Help");
 
   function change(to: Picks): void {
     picks = to;

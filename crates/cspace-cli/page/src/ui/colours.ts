@@ -25,11 +25,7 @@ export const KIND_NAMES: Record<PatchKind, string> = {
 export type Colouring = "region" | "kind";
 
 /** Further regions have the same colours mixed with black or white, by so much: the lightness tells them apart, whoever looks. */
-const SHADES = [
-  { with: 0, share: 0 },
-  { with: 0, share: 0.45 },
-  { with: 255, share: 0.55 },
-] as const;
+const SHADES = [{ with: 0, share: 0 }, { with: 0, share: 0.45 }, { with: 255, share: 0.55 }] as const;
 
 export function regionColour(region: number | null): string {
   if (region === null) return NO_REGION;

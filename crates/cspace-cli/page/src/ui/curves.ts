@@ -1,8 +1,7 @@
 /** Curves of slices and planes, as few elements of SVG: one path for each colour. */
 
 import type { DrawnCurve, Kernel } from "../kernel/api.js";
-import { TOUCHING, patchColour } from "./colours.js";
-import type { Colouring } from "./colours.js";
+import { TOUCHING, patchColour, type Colouring } from "./colours.js";
 import { svg } from "./dom.js";
 
 export interface Shown {

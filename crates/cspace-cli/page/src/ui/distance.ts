@@ -2,8 +2,7 @@
 
 import type { Place } from "../scene.js";
 import { nearestOn } from "./edit-shape.js";
-import { arcOf } from "./outline.js";
-import type { Arc, Edge } from "./outline.js";
+import { arcOf, type Arc, type Edge } from "./outline.js";
 
 /** A point, or an edge. */
 export type Measured = { point: Place } | { edge: Edge };

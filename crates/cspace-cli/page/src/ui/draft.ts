@@ -7,8 +7,7 @@ import { isLeaving } from "./entries.js";
 import { keeping, kept } from "./kept.js";
 import { failure } from "./message.js";
 import type { Session } from "./session.js";
-import { UNCHANGED } from "./workshop.js";
-import type { Edits } from "./workshop.js";
+import { UNCHANGED, type Edits } from "./workshop.js";
 
 /** Keeps what is changed until it is saved, and asks before it is left. Offers what was kept, and what the page was opened with. */
 export function keepDraft(parent: HTMLElement, session: Session, editor: Editor): void {

@@ -14,10 +14,7 @@ export class DragGoal {
   #turned = 0;
 
   /** `turns` is by how much the user has turned the part, by wheel and keys, since ever. */
-  constructor(
-    start: Placement,
-    private readonly turns: () => number,
-  ) {
+  constructor(start: Placement, private readonly turns: () => number) {
     [this.#x, this.#y, this.#theta] = [start.x, start.y, start.theta];
     this.#turnedBefore = turns();
   }

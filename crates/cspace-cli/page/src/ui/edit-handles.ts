@@ -1,11 +1,11 @@
 /** What can be grabbed of edited parts: where it is in the assembly, how it is drawn, and what is nearest to a pointer. */
 
 import type { Place, ScenePart } from "../scene.js";
-import { svg } from "./dom.js";
+import { set, svg } from "./dom.js";
 import { nearestOn } from "./edit-shape.js";
+import { short } from "./numbers.js";
 import { edgeOf, middleOf } from "./outline.js";
-import { IDENTITY, apply, inverse } from "./placement.js";
-import type { Placement } from "./placement.js";
+import { IDENTITY, apply, inverse, type Placement } from "./placement.js";
 import type { Viewport } from "./viewport.js";
 
 export interface Edited {
@@ -55,7 +55,7 @@ export class Handles {
   }
 
   /** In the assembly. */
-  private placeOf(handle: Handle): Place | null {
+  placeOf(handle: Handle): Place | null {
     const e = this.edited[handle.part];
     if (!e) return null;
     // A pivot belongs to the ground.
@@ -64,17 +64,24 @@ export class Handles {
     return edge ? apply(this.placements[handle.part] ?? IDENTITY, handle.kind === "vertex" ? edge.from : middleOf(edge)) : null;
   }
 
-  drawn(viewport: Viewport, selected: Handle | null): SVGElement[] {
+  /** `names` are of the parts; a handle that gets the focus is told. */
+  drawn(viewport: Viewport, selected: Handle | null, names: readonly string[], focused: (handle: Handle) => void): SVGElement[] {
     return this.all().flatMap((handle) => {
       const at = this.placeOf(handle);
       if (!at) return [];
-      const { x, y } = viewport.toScreen(at);
-      const chosen = isSame(handle, selected) ? " chosen" : "";
-      if (handle.kind === "vertex") {
-        return svg("rect", { class: `handle vertex${chosen}`, x: x - HANDLE, y: y - HANDLE, width: 2 * HANDLE, height: 2 * HANDLE });
-      }
-      return svg("circle", { class: `handle ${handle.kind}${chosen}`, cx: x, cy: y, r: handle.kind === "pivot" ? 8 : HANDLE - 0.5 });
+      const element = this.element(handle, viewport.toScreen(at), isSame(handle, selected) ? " chosen" : "");
+      const what = handle.kind === "pivot" ? "pivot" : `${handle.kind === "vertex" ? "vertex" : "middle of edge"} ${handle.index + 1}${handle.loop > 0 ? ` of hole ${handle.loop}` : ""}`;
+      set(element, { tabindex: 0, role: "button", "aria-label": `${what} of ${names[handle.part]} at ${short(at.x)}, ${short(at.y)}: arrow keys move it` });
+      element.addEventListener("focus", () => focused(handle));
+      return [element];
     });
+  }
+
+  private element(handle: Handle, { x, y }: Place, chosen: string): SVGElement {
+    if (handle.kind === "vertex") {
+      return svg("rect", { class: `handle vertex${chosen}`, x: x - HANDLE, y: y - HANDLE, width: 2 * HANDLE, height: 2 * HANDLE });
+    }
+    return svg("circle", { class: `handle ${handle.kind}${chosen}`, cx: x, cy: y, r: handle.kind === "pivot" ? 8 : HANDLE - 0.5 });
   }
 
   nearest(at: Place, { pixel }: Viewport): Handle | null {
@@ -109,7 +116,7 @@ export class Handles {
   }
 }
 
-function isSame(a: Handle, b: Handle | null): boolean {
+export function isSame(a: Handle, b: Handle | null): boolean {
   if (!b || a.kind !== b.kind || a.part !== b.part) return false;
   return a.kind === "pivot" || b.kind === "pivot" || (a.loop === b.loop && a.index === b.index);
 }

@@ -10,8 +10,6 @@ import type { Session } from "./session.js";
 const BUDGET = 33;
 
 export class EditPanel {
-  readonly #editor: Editor;
-  readonly #session: Session;
   readonly #fields = html("div");
   readonly #offset = html("input", { type: "number", step: "any", id: "edit-offset" });
   readonly #meter = html("meter", { min: 0, max: 2 * BUDGET, high: BUDGET, optimum: 0, value: 0, "aria-label": "Time of the last computation" });
@@ -20,9 +18,7 @@ export class EditPanel {
   readonly #refused = html("p", { class: "bad", role: "alert", hidden: "" });
   readonly #remove: HTMLButtonElement;
 
-  constructor(session: Session, editor: Editor, actions: Actions) {
-    this.#session = session;
-    this.#editor = editor;
+  constructor(private readonly session: Session, private readonly editor: Editor, actions: Actions) {
     this.#remove = button("Remove vertex", actions.removeVertex, { title: "Remove the selected vertex (Delete, or Alt-click on it)" });
     this.#offset.addEventListener("change", () => {
       const value = typedNumber(this.#offset.value);
@@ -38,7 +34,7 @@ export class EditPanel {
     const unit = session.scene.unit ? ` (${session.scene.unit})` : "";
     const clearance = html("label", { for: "edit-offset", title: "The moving part is shrunk by this all round" }, `clearance${unit}`, this.#offset);
     byId("edit").append(
-      html("p", {}, "Drag squares (vertices), dots (edges) and rings (pivots). Double-click an edge to add a vertex, Alt-click one to remove it."),
+      html("p", {}, "Drag squares (vertices), dots (edges) and rings (pivots). Double-click an edge to add a vertex, Alt-click one to remove it. Vertices snap to a grid, finer when zoomed in; with Alt they do not. Tab and arrow keys do the same."),
       this.#fields,
       clearance,
       this.#refused,
@@ -77,13 +73,13 @@ export class EditPanel {
   }
 
   #draw(): void {
-    this.#remove.disabled = this.#editor.selected?.kind !== "vertex";
-    const moving = this.#session.pair?.moving ?? -1;
-    if (document.activeElement !== this.#offset && this.#refused.hidden) this.#offset.value = String(-this.#editor.offsetOf(moving) || 0);
+    this.#remove.disabled = this.editor.selected?.kind !== "vertex";
+    const moving = this.session.pair?.moving ?? -1;
+    if (document.activeElement !== this.#offset && this.#refused.hidden) this.#offset.value = String(-this.editor.offsetOf(moving) || 0);
     // A number that is being typed stays.
     if (this.#fields.contains(document.activeElement)) return;
     this.#fields.replaceChildren(
-      ...this.#editor.fields().map(({ name, value, change }) => {
+      ...this.editor.fields().map(({ name, value, change }) => {
         const input = html("input", { type: "number", step: "any", placeholder: value === null ? "straight" : "" });
         input.value = value === null ? "" : String(value);
         input.addEventListener("change", () => {

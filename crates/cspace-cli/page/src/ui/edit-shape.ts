@@ -4,8 +4,7 @@
  */
 
 import type { Place, SceneVertex } from "../scene.js";
-import { arcOf, bulgeOfRadius, bulgeThrough, edgeOf, edgesOf } from "./outline.js";
-import type { Edge } from "./outline.js";
+import { arcOf, bulgeOfRadius, bulgeThrough, edgeOf, edgesOf, type Edge } from "./outline.js";
 
 export type Loop = readonly SceneVertex[];
 

@@ -2,10 +2,9 @@
 
 import type { Kernel } from "../kernel/api.js";
 import type { Place, ScenePair, SceneSetting } from "../scene.js";
-import { Handles } from "./edit-handles.js";
-import type { Edited, Handle, VertexHandle } from "./edit-handles.js";
-import { addVertex, bend, moveVertex, removeVertex, setRadius } from "./edit-shape.js";
-import type { Loop } from "./edit-shape.js";
+import { Handles, isSame, type Edited, type Handle, type VertexHandle } from "./edit-handles.js";
+import { addVertex, bend, moveVertex, removeVertex, setRadius, type Loop } from "./edit-shape.js";
+import { gridStep, snapped } from "./grid.js";
 import { loopsAt } from "./heights.js";
 import { isAxes } from "./mechanism.js";
 import { arcOf, edgeOf } from "./outline.js";
@@ -13,8 +12,7 @@ import { IDENTITY, apply, inverse } from "./placement.js";
 import { regionChanges } from "./region-changes.js";
 import type { Fetcher, Session } from "./session.js";
 import type { Drag, Viewport } from "./viewport.js";
-import { UNCHANGED, WorkError } from "./workshop.js";
-import type { EditAnswer, Edits, PartEdit, Workshop } from "./workshop.js";
+import { UNCHANGED, WorkError, type EditAnswer, type Edits, type PartEdit, type Workshop } from "./workshop.js";
 
 export interface EditReport {
   /** Of the last answer: the space alone, and until it was here (s). */
@@ -39,8 +37,6 @@ export class Editor {
   readonly listeners: ((report: EditReport) => void)[] = [];
   readonly onSelect: (() => void)[] = [];
   selected: Handle | null = null;
-  readonly #session: Session;
-  readonly #workshop: Workshop;
   /** Gets pairs of the model as it was opened. */
   readonly #opener: Fetcher;
   #shape: Shape;
@@ -55,9 +51,7 @@ export class Editor {
   #begun: number | null = null;
   #waiting = false;
 
-  constructor(session: Session, workshop: Workshop, opener: Fetcher) {
-    this.#session = session;
-    this.#workshop = workshop;
+  constructor(private readonly session: Session, private readonly workshop: Workshop, opener: Fetcher) {
     this.#opener = opener;
     this.#shape = { parts: session.scene.parts.map(({ loops, motion }) => ({ loops, motion, offset: 0, byHand: false })), set: [] };
     session.fetcher = (pair) => {
@@ -108,8 +102,8 @@ export class Editor {
 
   /** Takes all changes from elsewhere, as one that can be undone; fails, and changes nothing, where they are none of this model. */
   async restore(edits: Edits): Promise<void> {
-    const index = this.#session.state.pair;
-    const answer = await this.#workshop.edit(index, edits);
+    const index = this.session.state.pair;
+    const answer = await this.workshop.edit(index, edits);
     this.#remember();
     const parts = this.#shape.parts.map((e, i) => {
       const edited = edits.parts.find((p) => p.index === i);
@@ -125,14 +119,14 @@ export class Editor {
     for (;;) {
       const version = this.#version;
       const edits = this.edits;
-      const answer = edits.parts.length === 0 && edits.set.length === 0 ? await this.#opener(pair) : (await this.#workshop.edit(pair, edits)).pair;
+      const answer = edits.parts.length === 0 && edits.set.length === 0 ? await this.#opener(pair) : (await this.workshop.edit(pair, edits)).pair;
       // Parts that were edited meanwhile have another space.
       if (version === this.#version) return answer;
     }
   }
 
   async model(): Promise<string> {
-    return this.#workshop.model(this.edits);
+    return this.workshop.model(this.edits);
   }
 
   undo(): void {
@@ -172,12 +166,12 @@ export class Editor {
 
   #changed(): void {
     this.#version += 1;
-    const parts = this.#session.state.parts.map((part, i) => {
+    const parts = this.session.state.parts.map((part, i) => {
       const e = this.#shape.parts[i];
       // A part that is offset, or follows parameters, is shown as it is answered.
       return !e || e.offset !== 0 || !e.byHand ? part : { ...part, loops: e.loops, motion: e.motion };
     });
-    this.#session.store.change({ parts });
+    this.session.store.change({ parts });
     this.#send();
     this.#select(this.selected);
   }
@@ -186,7 +180,7 @@ export class Editor {
     if (this.#begun !== null) {
       this.#waiting = true;
       // What takes long is of a shape that is no longer drawn.
-      if (performance.now() - this.#begun > PATIENCE) this.#workshop.cancel();
+      if (performance.now() - this.#begun > PATIENCE) this.workshop.cancel();
       return;
     }
     void this.#request();
@@ -196,23 +190,20 @@ export class Editor {
     const begin = performance.now();
     this.#begun = begin;
     this.#waiting = false;
-    const index = this.#session.state.pair;
-    const asked = await this.#workshop.edit(index, this.edits).then(
-      (answer) => ({ answer }),
-      (error: unknown) => ({ error }),
-    );
+    const index = this.session.state.pair;
+    const asked = await this.workshop.edit(index, this.edits).then((answer) => ({ answer }), (error: unknown) => ({ error }));
     const roundTrip = (performance.now() - begin) / 1000;
     // The worker goes on while the answer is shown.
     this.#begun = null;
     if (this.#waiting) void this.#request();
     try {
       if ("error" in asked) throw asked.error;
-      const before = { pair: this.#session.pair, kernel: this.#session.kernel };
+      const before = { pair: this.session.pair, kernel: this.session.kernel };
       this.#take(asked.answer, index);
-      this.#report({ seconds: asked.answer.pair.seconds, roundTrip, changes: index === this.#session.state.pair ? this.#changesSince(before) : "", error: null });
+      this.#report({ seconds: asked.answer.pair.seconds, roundTrip, changes: index === this.session.state.pair ? this.#changesSince(before) : "", error: null });
     } catch (error) {
       if (error instanceof WorkError && error.cancelled) return;
-      this.#session.store.change({ outdated: true });
+      this.session.store.change({ outdated: true });
       this.#report({ seconds: NaN, roundTrip, changes: "", error: error instanceof Error ? error.message : String(error) });
     }
   }
@@ -231,15 +222,15 @@ export class Editor {
         return e.byHand || !part ? e : { ...e, loops: part.loops, motion: part.motion };
       }),
     };
-    this.#session.replaceParts(parts, answer.design, index, answer.pair);
+    this.session.replaceParts(parts, answer.design, index, answer.pair);
     // A part on a pivot that was moved is elsewhere by the same angle.
-    const { configuration } = this.#session.state;
-    if (isAxes(configuration)) this.#session.setConfiguration(configuration);
-    this.#session.store.change({ outdated: false });
+    const { configuration } = this.session.state;
+    if (isAxes(configuration)) this.session.setConfiguration(configuration);
+    this.session.store.change({ outdated: false });
   }
 
   #changesSince(before: { pair: ScenePair | undefined; kernel: Kernel | null }): string {
-    const { pair, kernel } = this.#session;
+    const { pair, kernel } = this.session;
     if (!before.pair || !before.kernel || !pair || !kernel) return "";
     return regionChanges({ ...before.pair, kernel: before.kernel }, { ...pair, kernel });
   }
@@ -251,13 +242,24 @@ export class Editor {
   // Handles.
 
   get #handles(): Handles {
-    const { pair, state } = this.#session;
-    const loops = state.parts.map((part) => new Set(loopsAt(part, this.#session.interval)));
+    const { pair, state } = this.session;
+    const loops = state.parts.map((part) => new Set(loopsAt(part, this.session.interval)));
     return new Handles(this.#shape.parts, state.placements, pair && state.editing ? [pair.fixed, pair.moving] : [], loops);
   }
 
   handles(viewport: Viewport): SVGElement[] {
-    return this.#handles.drawn(viewport, this.selected);
+    const focused = (handle: Handle) => isSame(handle, this.selected) || this.#select(handle);
+    return this.#handles.drawn(viewport, this.selected, this.session.state.parts.map((p) => p.name), focused);
+  }
+
+  /** Moves what is selected, in the assembly; all on a grid of a step. */
+  nudge(dx: number, dy: number, step: number): void {
+    const handle = this.selected;
+    const at = handle && this.#handles.placeOf(handle);
+    const before = handle && this.#shape.parts[handle.part];
+    if (!handle || !at || !before) return;
+    this.#remember();
+    this.#moveTo(handle, before, { x: at.x + dx, y: at.y + dy }, step);
   }
 
   #select(handle: Handle | null): void {
@@ -271,23 +273,26 @@ export class Editor {
     this.#select(handle);
     if (!handle) return null;
     if (alt && this.removeSelected()) return { move: () => {} };
-    const { store } = this.#session;
+    const { store } = this.session;
     // All of a drag is from the shape at its beginning: radii that gave way come back.
     const before = this.#shape.parts[handle.part];
     let begun = false;
     return {
-      move: (to) => {
+      move: (to, { altKey }) => {
         if (!begun) this.#remember();
         begun = true;
         store.change({ dragging: true });
-        if (before) this.#moveTo(handle, before, to);
+        if (before) this.#moveTo(handle, before, to, altKey ? null : gridStep(viewport));
       },
       end: () => store.change({ dragging: false }),
     };
   }
 
-  #moveTo(handle: Handle, e: Edited, to: Place): void {
-    const own = apply(inverse(this.#session.state.placements[handle.part] ?? IDENTITY), to);
+  /** Vertices go to whole steps of their part's coordinates, pivots of the assembly's; a bent edge goes where it is wanted. */
+  #moveTo(handle: Handle, e: Edited, to: Place, step: number | null): void {
+    const free = apply(inverse(this.session.state.placements[handle.part] ?? IDENTITY), to);
+    const own = step !== null && handle.kind === "vertex" ? snapped(free, step) : free;
+    if (step !== null && handle.kind === "pivot") to = snapped(to, step);
     this.#change(handle.part, () => {
       if (handle.kind === "pivot") return e.motion.type === "revolute" ? { ...e, motion: { ...e.motion, center: to } } : e;
       return withLoop(e, handle.loop, (loop) => (handle.kind === "vertex" ? moveVertex : bend)(loop, handle.index, own)) ?? e;
@@ -303,7 +308,7 @@ export class Editor {
   /** Removes the vertex that is selected; whether one was. */
   removeSelected(): boolean {
     const handle = this.selected;
-    return handle?.kind === "vertex" && this.#session.state.editing && this.#reshape(handle, removeVertex, null);
+    return handle?.kind === "vertex" && this.session.state.editing && this.#reshape(handle, removeVertex, null);
   }
 
   /** Changes a loop, and selects the vertex that comes so many after the handle. */

@@ -3,11 +3,9 @@
  * kept as long as the tab; the browser's Back leads from one to the other.
  */
 
-import { DRAWING_VERSION } from "../drawing/scene.js";
-import type { DrawingScene } from "../drawing/scene.js";
+import { DRAWING_VERSION, type DrawingScene } from "../drawing/scene.js";
 import { pack, unpack } from "../kernel/packed.js";
-import { SCENE_VERSION } from "../scene.js";
-import type { Scene } from "../scene.js";
+import { SCENE_VERSION, type Scene } from "../scene.js";
 import { textOf } from "./dom.js";
 
 /** What the history keeps of an entry. */

@@ -1,6 +1,7 @@
 /** Where the lines of a grid are, what is written at them, and how far a plane may be zoomed. */
 
-import { minus, short } from "./numbers.js";
+import type { Place } from "../scene.js";
+import { lengthStep, minus, rounded, short } from "./numbers.js";
 
 /** A grid or an axis has no more lines than this, whatever is asked. */
 const MOST_LINES = 1000;
@@ -10,6 +11,22 @@ const USUAL_DIGITS = 6;
 const LONGEST_NUMBER = 14;
 /** The logarithm of a step that is a power of ten may come out less than whole by this. */
 const LOGARITHM_ROUNDING = 1e-9;
+
+/** What is drawn by hand goes in steps of at least so many pixels. */
+const SNAP_PIXELS = 4;
+/** Digits of what is snapped: less is the rounding of a step that is no power of 2. */
+const SNAP_DIGITS = 12;
+
+/** The step of what is drawn by hand at the zoom of a plane (its unit). */
+export function gridStep({ pixel }: { pixel: Place }): number {
+  return lengthStep(SNAP_PIXELS * pixel.x);
+}
+
+/** The nearest place whose coordinates are whole steps. */
+export function snapped({ x, y }: Place, step: number): Place {
+  const [a = x, b = y] = [x, y].map((v) => rounded(Math.round(v / step) * step, SNAP_DIGITS) || 0);
+  return { x: a, y: b };
+}
 
 /** Numbers of the steps that lie between two values, and beside each its value. */
 export function gridLines(lo: number, hi: number, step: number): { index: number; value: number }[] {

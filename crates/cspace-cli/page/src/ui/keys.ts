@@ -23,6 +23,7 @@ export function listenToKeys(session: Session, actions: Actions, viewports: { pa
       else actions.undo();
       return;
     }
+    if (key === "Escape") actions.leave();
     if (event.ctrlKey || event.metaKey || event.altKey || target?.matches("input, select, textarea")) return;
     const fine = event.shiftKey ? FINE : 1;
     const step = steps(session, viewports);

@@ -12,22 +12,16 @@ import { regionOf } from "./verdict.js";
 const LISTED = 40;
 
 export class Legend {
-  readonly #session: Session;
-  readonly #element: HTMLElement;
-  readonly #fit: (region: number) => void;
 
   /** `fit` shows a region as large as the views allow. */
-  constructor(parent: HTMLElement, session: Session, fit: (region: number) => void) {
-    this.#session = session;
-    this.#fit = fit;
-    this.#element = parent;
+  constructor(private readonly element: HTMLElement, private readonly session: Session, private readonly fit: (region: number) => void) {
     session.store.subscribe((changed) => {
       if ((["space", "colouring", "hidden", "pair"] as Key[]).some((k) => changed.has(k))) this.#draw();
     });
   }
 
   #draw(): void {
-    const { state, pair, kernel } = this.#session;
+    const { state, pair, kernel } = this.session;
     const focused = document.activeElement?.id ?? "";
     const items: HTMLElement[] = [];
     if (pair && kernel && kernel.class !== "lower") {
@@ -37,28 +31,28 @@ export class Legend {
       if (pair.regions.length > LISTED) items.push(html("li", {}, `and ${pair.regions.length - LISTED} more regions`));
       items.push(html("li", {}, swatch(TOUCHING), html("span", {}, "touching")));
     }
-    this.#element.replaceChildren(...(items.length > 0 ? [html("ul", {}, ...items)] : []));
-    this.#element.hidden = items.length === 0;
+    this.element.replaceChildren(...(items.length > 0 ? [html("ul", {}, ...items)] : []));
+    this.element.hidden = items.length === 0;
     if (focused) document.getElementById(focused)?.focus();
   }
 
   #region(index: number, name: string, sample: number[], byKind: boolean): HTMLElement {
-    const { store } = this.#session;
+    const { store } = this.session;
     const id = `region-${index}`;
     const box = html("input", { type: "checkbox", id });
-    box.checked = !this.#session.state.hidden.has(index);
+    box.checked = !this.session.state.hidden.has(index);
     box.addEventListener("change", () => {
-      const hidden = new Set(this.#session.state.hidden);
+      const hidden = new Set(this.session.state.hidden);
       if (box.checked) hidden.delete(index);
       else hidden.add(index);
       store.change({ hidden });
     });
     const label = html("label", { for: id }, ...(byKind ? [] : [swatch(regionColour(index))]), name);
-    const go = button("→", () => this.#session.setConfiguration(configurationOf(sample)), { class: "small", title: "Go to a configuration in it", "aria-label": `Go to ${name}` });
+    const go = button("→", () => this.session.setConfiguration(configurationOf(sample)), { class: "small", title: "Go to a configuration in it", "aria-label": `Go to ${name}` });
     const show = () => {
-      if (regionOf({ where: this.#session.state.where, kernel: this.#session.kernel }) !== index) go.click();
+      if (regionOf({ where: this.session.state.where, kernel: this.session.kernel }) !== index) go.click();
       store.flush();
-      this.#fit(index);
+      this.fit(index);
     };
     const fit = button("Fit", show, { class: "small", title: "Show all of it, as large as the views allow", "aria-label": `Fit to ${name}` });
     return html("li", {}, box, label, go, fit);

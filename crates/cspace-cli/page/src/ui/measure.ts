@@ -1,16 +1,13 @@
 /** Measuring: two clicks on corners or edges give their distance, which follows the parts. */
 
 import type { Place, ScenePart } from "../scene.js";
-import { distanceOf } from "./distance.js";
-import type { Measured } from "./distance.js";
+import { distanceOf, type Measured } from "./distance.js";
 import { svg } from "./dom.js";
 import { nearestOn } from "./edit-shape.js";
 import { loopsAt } from "./heights.js";
 import { length, rounded } from "./numbers.js";
-import { arcOf, edgeOf, edgePath } from "./outline.js";
-import type { Edge } from "./outline.js";
-import { IDENTITY, apply } from "./placement.js";
-import type { Placement } from "./placement.js";
+import { arcOf, edgeOf, edgePath, type Edge } from "./outline.js";
+import { IDENTITY, apply, type Placement } from "./placement.js";
 import type { Session } from "./session.js";
 import type { Drag, Viewport } from "./viewport.js";
 
@@ -26,13 +23,9 @@ interface Picked {
 
 export class Measure {
   readonly group = svg("g", { class: "measure" });
-  readonly #session: Session;
-  readonly #viewport: Viewport;
   #picked: Picked[] = [];
 
-  constructor(session: Session, viewport: Viewport) {
-    this.#session = session;
-    this.#viewport = viewport;
+  constructor(private readonly session: Session, private readonly viewport: Viewport) {
     session.store.subscribe((changed, state) => {
       // Edges of another shape are other edges.
       if ((changed.has("measuring") && !state.measuring) || changed.has("parts")) this.#picked = [];
@@ -41,7 +34,7 @@ export class Measure {
 
   /** Takes a click on a corner or an edge; what is clicked beside them is dragged as usual. */
   grab(at: Place): Drag | null {
-    if (!this.#session.state.measuring) return null;
+    if (!this.session.state.measuring) return null;
     const picked = this.#at(at);
     if (!picked) return null;
     this.#picked = this.#picked.length >= 2 ? [picked] : [...this.#picked, picked];
@@ -50,9 +43,9 @@ export class Measure {
   }
 
   #at(at: Place): Picked | null {
-    const { parts, placements } = this.#session.state;
-    const { interval } = this.#session;
-    const near = NEAR * this.#viewport.pixel.x;
+    const { parts, placements } = this.session.state;
+    const { interval } = this.session;
+    const near = NEAR * this.viewport.pixel.x;
     let found: Picked | null = null;
     let least = Infinity;
     parts.forEach((part, p) =>
@@ -73,7 +66,7 @@ export class Measure {
   }
 
   draw(): void {
-    const { parts, placements } = this.#session.state;
+    const { parts, placements } = this.session.state;
     const shown: SVGElement[] = [];
     const measured = this.#picked.flatMap(({ part, loop, index, corner }): { of: Measured; text: string }[] => {
       const own = parts[part];
@@ -83,18 +76,18 @@ export class Measure {
     });
     for (const { of } of measured) {
       if ("point" in of) {
-        const { x, y } = this.#viewport.toScreen(of.point);
+        const { x, y } = this.viewport.toScreen(of.point);
         shown.push(svg("circle", { class: "measured", cx: x, cy: y, r: 6 }));
       } else shown.push(svg("path", { class: "measured", d: this.#onScreen(of.edge) }));
     }
     const [a, b] = measured;
     if (a && b) {
       const { from, to, length: gap } = distanceOf(a.of, b.of);
-      const [p, q] = [this.#viewport.toScreen(from), this.#viewport.toScreen(to)];
+      const [p, q] = [this.viewport.toScreen(from), this.viewport.toScreen(to)];
       shown.push(svg("path", { class: "dimension", d: `M${p.x} ${p.y}L${q.x} ${q.y}` }), label({ x: (p.x + q.x) / 2, y: (p.y + q.y) / 2 }, this.#text(gap)));
     } else if (a?.text) {
       const at = "edge" in a.of ? middle(a.of.edge) : a.of.point;
-      shown.push(label(this.#viewport.toScreen(at), a.text));
+      shown.push(label(this.viewport.toScreen(at), a.text));
     }
     this.group.replaceChildren(...shown);
   }
@@ -105,12 +98,12 @@ export class Measure {
   }
 
   #text(value: number): string {
-    return length(rounded(value, 6), this.#session.scene.unit);
+    return length(rounded(value, 6), this.session.scene.unit);
   }
 
   /** An edge on the screen, where y points downwards: it turns the other way. */
   #onScreen({ from, to, bulge }: Edge): string {
-    return edgePath({ from: this.#viewport.toScreen(from), to: this.#viewport.toScreen(to), bulge: -bulge });
+    return edgePath({ from: this.viewport.toScreen(from), to: this.viewport.toScreen(to), bulge: -bulge });
   }
 }
 

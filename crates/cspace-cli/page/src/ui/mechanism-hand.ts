@@ -2,8 +2,7 @@
 
 import type { Place } from "../scene.js";
 import { busy, failure } from "./message.js";
-import { IDENTITY, apply, coordinateOf, inverse, ofMotion } from "./placement.js";
-import type { Placement } from "./placement.js";
+import { IDENTITY, apply, coordinateOf, inverse, ofMotion, type Placement } from "./placement.js";
 import type { Session } from "./session.js";
 import type { Drag } from "./viewport.js";
 import type { Edits, Workshop } from "./workshop.js";
@@ -12,22 +11,15 @@ import type { Edits, Workshop } from "./workshop.js";
 const PATIENCE = 300;
 
 export class MechanismHand {
-  readonly #session: Session;
-  readonly #workshop: Workshop;
-  readonly #edits: () => Edits;
   /** Where the point is wanted next; null if it is not dragged on. */
   #wanted: Place | null = null;
   #isAsking = false;
 
-  constructor(session: Session, workshop: Workshop, edits: () => Edits) {
-    this.#session = session;
-    this.#workshop = workshop;
-    this.#edits = edits;
-  }
+  constructor(private readonly session: Session, private readonly workshop: Workshop, private readonly edits: () => Edits) {}
 
   /** Takes a part at a place of the assembly. */
   grab(part: number, at: Place): Drag {
-    const { store, state } = this.#session;
+    const { store, state } = this.session;
     const of = apply(inverse(state.placements[part] ?? IDENTITY), at);
     let begin: number[] | null = this.#coordinates();
     store.change({ dragging: true, playing: false });
@@ -37,9 +29,9 @@ export class MechanismHand {
         const to = this.#wanted;
         this.#wanted = null;
         const drag = { part, of: [of.x, of.y] as [number, number], to: [to.x, to.y] as [number, number], state: begin };
-        const came = await busy(store, "Computing the pairs of the mechanism …", () => this.#workshop.cancel("drag"), PATIENCE, () => this.#workshop.drag(this.#edits(), drag));
+        const came = await busy(store, "Computing the pairs of the mechanism …", () => this.workshop.cancel("drag"), PATIENCE, () => this.workshop.drag(this.edits(), drag));
         begin = null;
-        this.#session.setPlacements(this.#placements(came.parts));
+        this.session.setPlacements(this.#placements(came.parts));
         store.change({ held: { stopped: came.stopped, overlapping: came.overlapping, gaps: came.gaps } });
       }
       this.#isAsking = false;
@@ -59,7 +51,7 @@ export class MechanismHand {
 
   /** Of all parts that move, in order. */
   #coordinates(): number[] {
-    const { parts, placements } = this.#session.state;
+    const { parts, placements } = this.session.state;
     return parts.flatMap(({ motion }, i) => {
       const p = placements[i] ?? IDENTITY;
       if (motion.type === "fixed") return [];
@@ -68,7 +60,7 @@ export class MechanismHand {
   }
 
   #placements(coordinates: readonly number[][]): Placement[] {
-    return this.#session.state.parts.map(({ motion }, i) => {
+    return this.session.state.parts.map(({ motion }, i) => {
       const [a, b, c] = coordinates[i] ?? [];
       if (a === undefined) return IDENTITY;
       return b === undefined || c === undefined ? ofMotion(motion, a) : { x: a, y: b, theta: c };

@@ -2,8 +2,7 @@
 
 import type { AxesConfiguration, Configuration, PlanarConfiguration } from "../kernel/api.js";
 import type { Place, Scene, SceneJoint, ScenePair } from "../scene.js";
-import { IDENTITY, apply, compose, coordinateOf, ofMotion, relative, rotate, turnAbout, unit } from "./placement.js";
-import type { Placement } from "./placement.js";
+import { IDENTITY, apply, compose, coordinateOf, ofMotion, relative, rotate, turnAbout, unit, type Placement } from "./placement.js";
 
 export function isAxes(c: Configuration): c is AxesConfiguration {
   return "u" in c;
@@ -58,12 +57,7 @@ export function placed(
 }
 
 /** Takes along what is joined to parts that have moved, from joint to joint. */
-export function followJoints(
-  scene: Scene,
-  before: readonly Placement[],
-  now: readonly Placement[],
-  given: readonly number[],
-): Placement[] {
+export function followJoints(scene: Scene, before: readonly Placement[], now: readonly Placement[], given: readonly number[]): Placement[] {
   const result = [...now];
   const settled = new Set(given);
   const queue = [...given];

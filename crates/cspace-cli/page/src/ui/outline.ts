@@ -104,6 +104,14 @@ export function grow(box: Box, p: Place): void {
   box.y1 = Math.max(box.y1, p.y);
 }
 
+/** The same for points as x, y, x, y. */
+export function growBy(box: Box, points: ArrayLike<number>): Box {
+  for (let i = 0; i + 1 < points.length; i += 2) grow(box, { x: points[i] ?? 0, y: points[i + 1] ?? 0 });
+  return box;
+}
+
+export const centerOf = ({ x0, y0, x1, y1 }: Box): Place => ({ x: (x0 + x1) / 2, y: (y0 + y1) / 2 });
+
 /** The box of outlines, with the extremes of arcs. */
 export function boxOf(loops: readonly SceneVertex[][]): Box {
   const box = emptyBox();

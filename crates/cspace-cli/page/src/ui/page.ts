@@ -2,8 +2,10 @@
 
 import type { Scene } from "../scene.js";
 import type { Actions } from "./actions.js";
-import { USUAL, readAddress, writeAddress } from "./address.js";
+import { USUAL, readAddress, usualView, writeAddress, type Address } from "./address.js";
+import { isAssembly, orderOf } from "./assembly-record.js";
 import { byId, download, fileName, say } from "./dom.js";
+import { Comparison } from "./compare.js";
 import { ContactHand } from "./contact-hand.js";
 import { DesignPanel } from "./design-panel.js";
 import { keepDraft } from "./draft.js";
@@ -19,26 +21,27 @@ import { Legend } from "./legend.js";
 import { MechanismHand } from "./mechanism-hand.js";
 import { answer, failure, showMessage } from "./message.js";
 import { PartsView } from "./parts-view.js";
-import { picture, pngFile, svgFile } from "./pictures.js";
-import type { Pane } from "./pictures.js";
+import { picture, pngFile, svgFile, type Pane } from "./pictures.js";
 import { PlaneView } from "./plane-view.js";
 import { Readout } from "./readout.js";
 import { pageFile, savedAddress } from "./save-page.js";
 import { pageInterface } from "./script.js";
+import type { Json } from "./record-json.js";
 import { isServed, servedPair } from "./server.js";
 import { Session } from "./session.js";
 import { SliceView } from "./slice-view.js";
 import { SpaceView } from "./space-view.js";
 import type { Key } from "./state.js";
+import { cagedIn } from "./verdict.js";
 import { StackView } from "./stack-view.js";
 import { VerdictView } from "./verdict-view.js";
-import { applyTheme, onSystemTheme } from "./theme.js";
+import { NEXT_THEME, applyTheme, onSystemTheme } from "./theme.js";
 import { ThetaSlider } from "./theta-slider.js";
 import { Timeline } from "./timeline.js";
+import { showTrace } from "./trace.js";
 import { Toolbar } from "./toolbar.js";
 import { Ways } from "./ways.js";
-import { UNCHANGED, Workshop } from "./workshop.js";
-import type { Edits } from "./workshop.js";
+import { UNCHANGED, Workshop, type Edits } from "./workshop.js";
 
 /** The address is written once the state has not changed for this long (ms): browsers refuse to write it at every frame. */
 const ADDRESS_DELAY = 250;
@@ -72,13 +75,10 @@ export function openPage({ scene, isOpened }: Shown, worker: string): Promise<vo
   const stackView = new StackView(byId("stack"), session);
   const sliceView = new SliceView(byId("slice"), session, contacts);
   const planeView = new PlaneView(byId("plane"), session, contacts);
-  const spaceView = openSpaceView(session, address.camera ?? null);
-  new VerdictView(byId("verdict"), session);
+  const space = new LazySpace(session, address);
+  new VerdictView(byId("answer"), session);
   new Legend(byId("legend"), session, (region) => {
-    // What is around a pocket would hide it.
-    const others = session.pair?.regions.map((_, i) => i).filter((i) => i !== region) ?? [];
-    if (session.planar) store.change({ hidden: new Set(others) });
-    spaceView?.fitRegion(region);
+    space.showAlone(region);
     sliceView.fitRegion(region);
     planeView.fitRegion(region);
   });
@@ -87,6 +87,8 @@ export function openPage({ scene, isOpened }: Shown, worker: string): Promise<vo
   new ThetaSlider(byId("theta"), session);
   const timeline = new Timeline(byId("timeline"), session, edits);
   const ways = workshop ? new Ways(session, workshop, timeline, edits) : null;
+  const comparison = new Comparison(session, partsView.viewport);
+  showTrace(session, partsView.viewport);
   const help = makeHelp();
 
   const select = (pair: number) => {
@@ -99,10 +101,20 @@ export function openPage({ scene, isOpened }: Shown, worker: string): Promise<vo
     const parts = [partsView.viewport.svg, ...(stackView.isShown ? [stackView.svg] : [])];
     if (pair?.class === "fixed-axes") return [...parts, planeView.viewport.svg];
     if (!session.planar) return parts;
-    spaceView?.drawNow();
-    return [...parts, ...(spaceView ? [spaceView.canvas] : []), sliceView.viewport.svg];
+    space.view?.drawNow();
+    return [...parts, ...(space.view && store.state.view === "space" ? [space.view.canvas] : []), sliceView.viewport.svg];
   };
-  const made = () => picture(panes(), getComputedStyle(byId("left")).backgroundColor, scene.name);
+  /** A picture is light, for paper, unless the colours of the page are asked for. */
+  const made = (asShown: boolean) => {
+    applyTheme(asShown ? store.state.theme : "light");
+    space.view?.applyTheme();
+    const { backgroundColor, color } = getComputedStyle(byId("left"));
+    const words = [scene.name, document.querySelector(".headline")?.textContent ?? ""].filter((w) => w !== "").join(": ");
+    const done = picture(panes(), backgroundColor, color, words);
+    applyTheme(store.state.theme);
+    space.view?.applyTheme();
+    return done;
+  };
   const openFile = async (file: File) => {
     if (!(await showFile(file, (text) => store.change({ message: { kind: "progress", text } })))) await timeline.open(file);
   };
@@ -115,15 +127,16 @@ export function openPage({ scene, isOpened }: Shown, worker: string): Promise<vo
   };
   const actions: Actions = {
     toggleStop: () => store.change({ stop: !store.state.stop }),
+    toggleView: (view) => store.change({ view: store.state.view === view ? "parts" : view }),
     toggleCut: () => store.change({ cut: !store.state.cut }),
     toggleColouring: () => store.change({ colouring: store.state.colouring === "kind" ? "region" : "kind" }),
-    toggleTheme: () => store.change({ theme: ({ auto: "dark", dark: "light", light: "auto" } as const)[store.state.theme] }),
+    toggleTheme: () => store.change({ theme: NEXT_THEME[store.state.theme] }),
     toggleMeasure: () => store.change({ measuring: !store.state.measuring }),
     toggleEdit: () => editor && store.change({ editing: !store.state.editing }),
     fit: () => {
       if (store.state.hidden.size > 0) store.change({ hidden: new Set() });
       partsView.fit();
-      spaceView?.lookFromTheFront();
+      space.view?.lookFromTheFront();
       sliceView.fit();
       planeView.fit();
     },
@@ -133,11 +146,14 @@ export function openPage({ scene, isOpened }: Shown, worker: string): Promise<vo
     redo: () => editor?.redo(),
     removeVertex: () => editor?.removeSelected(),
     toggleWhole: () => store.change({ whole: !store.state.whole, held: null }),
+    toggleCompare: () => comparison.toggle(),
+    leave: () => store.change({ measuring: false, editing: false, compared: null, traced: store.state.traced === "next" ? null : store.state.traced }),
     wayOut: (widest) => void ways?.out(widest).catch(failed),
     playMechanism: () => void ways?.mechanism().catch(failed),
+    takeApart: () => void ways?.apart().catch(failed),
     openRecord: () => chooseFile(".toml,.dxf,.svg,.json,.gz,application/json", (file) => void openFile(file).catch(failed)),
-    saveSvg: () => download(fileName(scene.name, "svg"), svgFile(made())),
-    savePng: () => void pngFile(made()).then((blob) => download(fileName(scene.name, "png"), blob), failed),
+    saveSvg: (asShown) => download(fileName(scene.name, "svg"), svgFile(made(asShown))),
+    savePng: (asShown) => void pngFile(made(asShown)).then((blob) => download(fileName(scene.name, "png"), blob), failed),
     saveModel: () => void editor?.model().then(save, failed),
     savePage: () => {
       download(fileName(scene.name, "html"), new Blob([pageFile(scene, addressNow())], { type: "text/html" }));
@@ -148,36 +164,38 @@ export function openPage({ scene, isOpened }: Shown, worker: string): Promise<vo
   new Toolbar(session, actions, (pair) => void select(pair), editor);
   if (editor && scene.source) {
     const { source } = scene;
-    // Requirements are measured apart from what the hand waits for.
-    let checks: Workshop | null = null;
-    design = new DesignPanel(session, editor, () => (checks ??= new Workshop(worker, source)));
+    design = new DesignPanel(session, editor, () => new Workshop(worker, source));
     new EditPanel(session, editor, actions);
   }
   listenToKeys(session, actions, { parts: partsView.viewport, plane: planeView.viewport });
   listenToDrops((file) => void openFile(file).catch(failed));
 
   store.subscribe((changed, state) => {
-    if (changed.has("theme")) spaceView?.applyTheme();
-    if ((["space", "pair"] as Key[]).some((k) => changed.has(k))) showPanes(session, spaceView !== null);
+    if (changed.has("theme")) space.view?.applyTheme();
+    if ((["space", "pair", "view"] as Key[]).some((k) => changed.has(k))) {
+      space.open();
+      showPanes(session, space.view !== null);
+    }
+    if (changed.has("parts") && state.order !== null) store.change({ order: null });
     if (changed.has("outdated")) document.body.classList.toggle("outdated", state.outdated);
     if (changed.has("message")) showMessage(state.message, () => store.change({ message: null }));
   });
-  onSystemTheme(() => spaceView?.applyTheme());
-  const addressNow = () => writeAddress(store.state, spaceView?.camera ?? null, edits());
+  onSystemTheme(() => space.view?.applyTheme());
+  const addressNow = () => writeAddress(store.state, space.camera, edits());
   const restore = async (changes: Edits) => {
     if (editor && JSON.stringify(changes) !== JSON.stringify(edits())) await editor.restore(changes).then(() => editor.markSaved(), failed);
   };
-  keepAddress(session, spaceView, addressNow, restore);
+  keepAddress(session, space, addressNow, restore);
 
   let ready: Promise<void> = Promise.resolve();
   const begin = (done: Promise<void>) => {
     ready = done.then(async () => {
       store.flush();
-      if (spaceView) {
-        spaceView.drawNow();
-        await Promise.race([spaceView.built, new Promise((resolve) => setTimeout(resolve, READY_DELAY))]);
-        spaceView.drawNow();
-      }
+      const { view } = space;
+      if (!view) return;
+      view.drawNow();
+      await Promise.race([view.built, new Promise((resolve) => setTimeout(resolve, READY_DELAY))]);
+      view.drawNow();
     });
     return ready;
   };
@@ -185,39 +203,81 @@ export function openPage({ scene, isOpened }: Shown, worker: string): Promise<vo
     if (address.edits) await restore(address.edits);
     if (editor) keepDraft(byId("side"), session, editor);
     await session.select(store.state.pair, address.configuration ?? null);
+    // What is edited may come apart in another order: it is told of the model as it is opened.
+    const { parts } = store.state;
+    const tellOrder = (text: string) => parts === store.state.parts && store.change({ order: orderOf(JSON.parse(text) as Json) });
+    if (isAssembly(scene)) workshop?.disassemble(edits()).then(tellOrder, () => {});
+    // Parts that are not where they are drawn are shown whole before the surface is built.
+    partsView.fit();
   };
   if (address.warning !== undefined) store.change({ message: answer(address.warning) });
   if (session.pair) void begin(opened()).then(() => {
-      if (!address.configuration) timeline.showStart();
+      if (address.configuration) return;
+      timeline.showStart();
       partsView.fit();
-      sliceView.fit();
     });
   else store.change({ space: { state: "none", reason: "The model has no pairs.", error: false } });
   window.cspace = pageInterface(session, () => ready, (pair) => begin(select(pair)));
   return ready;
 }
 
-function openSpaceView(session: Session, camera: readonly number[] | null): SpaceView | null {
-  const building = byId("building");
-  try {
-    const view = new SpaceView(byId("space"), session, camera);
-    view.onProgress = (left) => {
-      building.hidden = left === 0;
-      if (left > 0) say(building, `${left} patches left to draw`);
-    };
-    return view;
-  } catch (error) {
-    session.store.change({ message: answer(`The 3-D view needs WebGL, which this browser does not offer (${failure(error)?.text}); the slice is shown instead.`) });
-    return null;
+/** The 3-D view, from when it is asked for: its surface costs time, and most do without. */
+class LazySpace {
+  view: SpaceView | null = null;
+  onCamera: (() => void) | null = null;
+  /** Where it is looked from as it opens. */
+  readonly #from: readonly number[] | null;
+  /** Whether a part that is caged is shown with its pocket alone; an address shows what it says. */
+  readonly #alone: boolean;
+
+  constructor(private readonly session: Session, { camera, view }: Address) {
+    this.#from = camera ?? null;
+    this.#alone = view !== "space";
+  }
+
+  get camera(): readonly number[] | null {
+    return this.view ? this.view.camera : this.#from;
+  }
+
+  open(): void {
+    const { store, planar, state } = this.session;
+    if (this.view || state.view !== "space" || !planar) return;
+    const building = byId("building");
+    try {
+      const region = this.#alone ? cagedIn(this.session) : null;
+      if (region !== null) this.#hideOthers(region);
+      byId("space").hidden = false;
+      this.view = new SpaceView(byId("space"), this.session, this.#from);
+      this.view.onProgress = (left) => {
+        building.hidden = left === 0;
+        if (left > 0) say(building, `${left} pieces left to draw`);
+        else if (region !== null) this.view?.fitRegion(region);
+      };
+      this.view.onCamera = () => this.onCamera?.();
+    } catch (error) {
+      store.change({ view: "slice", message: answer(`The 3-D view needs WebGL, which this browser does not offer (${failure(error)?.text}); the slice is shown instead.`) });
+    }
+  }
+
+  /** Looks at a region without what is around it, which would hide it. */
+  showAlone(region: number): void {
+    if (this.session.planar) this.#hideOthers(region);
+    this.view?.fitRegion(region);
+  }
+
+  #hideOthers(region: number): void {
+    const others = this.session.pair?.regions.map((_, i) => i).filter((i) => i !== region) ?? [];
+    this.session.store.change({ hidden: new Set(others) });
   }
 }
 
 /** Which of the views on the right are for the selected pair. */
 function showPanes(session: Session, has3d: boolean): void {
-  const { space } = session.state;
+  const { space, view } = session.state;
+  document.body.dataset["view"] = view;
   const axes = session.pair?.class === "fixed-axes";
   const planar = !axes && (session.planar !== null || space.state === "loading");
-  byId("space").hidden = !planar || !has3d;
+  byId("space").hidden = !planar || !has3d || view !== "space";
   byId("slice").hidden = !planar;
   byId("plane").hidden = !axes || space.state === "none";
   const none = byId("no-space");
@@ -235,7 +295,7 @@ function noSpace(session: Session): string | null {
 }
 
 /** Writes the address, and follows one that is typed or gone back to. */
-function keepAddress(session: Session, spaceView: SpaceView | null, address: () => string, restore: (edits: Edits) => Promise<void>): void {
+function keepAddress(session: Session, space: LazySpace, address: () => string, restore: (edits: Edits) => Promise<void>): void {
   const { store } = session;
   let timer: ReturnType<typeof setTimeout> | null = null;
   let written = location.hash;
@@ -250,7 +310,7 @@ function keepAddress(session: Session, spaceView: SpaceView | null, address: () 
     timer = setTimeout(write, ADDRESS_DELAY);
   };
   store.subscribe(later);
-  if (spaceView) spaceView.onCamera = later;
+  space.onCamera = later;
   window.addEventListener("hashchange", async () => {
     if (location.hash === written) return;
     const to = readAddress(location.hash, session.scene);
@@ -258,9 +318,9 @@ function keepAddress(session: Session, spaceView: SpaceView | null, address: () 
     if (to.warning !== undefined && !to.edits) return;
     await restore(to.edits ?? UNCHANGED);
     const { theme, stop, colouring, cut, height } = { ...USUAL, ...to };
-    store.change({ theme, stop, colouring, cut, height, hidden: new Set(to.hidden ?? []) });
-    if (to.camera) spaceView?.setCamera(to.camera);
-    else spaceView?.lookFromTheFront();
+    store.change({ theme, stop, colouring, cut, height, view: to.view ?? usualView(session.scene), hidden: new Set(to.hidden ?? []) });
+    if (to.camera) space.view?.setCamera(to.camera);
+    else space.view?.lookFromTheFront();
     if (to.pair !== undefined && to.pair !== store.state.pair) void session.select(to.pair, to.configuration ?? null);
     else if (to.configuration) session.setConfiguration(to.configuration);
   });

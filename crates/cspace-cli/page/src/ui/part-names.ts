@@ -2,10 +2,8 @@
 
 import type { Place, ScenePair, ScenePart } from "../scene.js";
 import { svg } from "./dom.js";
-import { labelPlace } from "./label-place.js";
-import type { Stretch } from "./label-place.js";
-import { IDENTITY, apply } from "./placement.js";
-import type { Placement } from "./placement.js";
+import { labelPlace, type Stretch } from "./label-place.js";
+import { IDENTITY, apply, type Placement } from "./placement.js";
 import type { Viewport } from "./viewport.js";
 
 /** About as wide and as high as a character of a name is (root ems). */

@@ -8,19 +8,18 @@ import type { Place, ScenePart } from "../scene.js";
 import { set, svg } from "./dom.js";
 import { DragGoal } from "./drag-goal.js";
 import type { Editor } from "./edit.js";
+import { gridStep } from "./grid.js";
 import { isAt, partAt, touchesAt } from "./heights.js";
 import { lowerPair } from "./lower.js";
 import { Measure } from "./measure.js";
 import { placed } from "./mechanism.js";
-import { boxOf, edgeOf, edgePath, emptyBox, featurePlace, grow, outlinePath } from "./outline.js";
+import { boxOf, centerOf, edgeOf, edgePath, emptyBox, featurePlace, grow, outlinePath } from "./outline.js";
 import { PartNames } from "./part-names.js";
-import { IDENTITY, TURN, apply, coordinateOf, inverse, ofMotion, rotate, shortestTurn, unit } from "./placement.js";
-import type { Placement } from "./placement.js";
+import { IDENTITY, TURN, apply, coordinateOf, inverse, ofMotion, rotate, shortestTurn, unit, type Placement } from "./placement.js";
 import type { MechanismHand } from "./mechanism-hand.js";
 import type { Session } from "./session.js";
 import type { Key, State } from "./state.js";
-import { Viewport, wheelAngle, wheelSlide } from "./viewport.js";
-import type { Drag } from "./viewport.js";
+import { Viewport, wheelAngle, wheelSlide, type Drag } from "./viewport.js";
 
 /** Lengths in pixels. */
 const NORMAL_ARROW = 34;
@@ -44,12 +43,12 @@ export class PartsView {
   readonly #session: Session;
   readonly #editor: Editor | null;
   readonly #hand: MechanismHand | null;
-  readonly #parts: SVGGElement;
-  readonly #pivots: SVGGElement;
+  readonly #parts = svg("g");
+  readonly #pivots = svg("g", { class: "pivots" });
   readonly #names = new PartNames();
   readonly #measure: Measure;
-  readonly #marks: SVGGElement;
-  readonly #handles: SVGGElement;
+  readonly #marks = svg("g", { class: "marks" });
+  readonly #handles = svg("g", { class: "handles" });
   #drawn: Drawn[] = [];
   /** The parts as they are at the height that is looked at. */
   #seen: ScenePart[] = [];
@@ -63,17 +62,22 @@ export class PartsView {
       fit: () => this.fit(),
       label: "The parts. Drag a part to move it; the wheel over the moving part turns it.",
       grab: (at, event) => this.#grab(at, event),
+      twist: () => this.#twist(),
       wheel: (at, event) => this.#wheel(at, event),
       double: (at) => editor?.addAt(at, this.viewport) ?? false,
     });
     this.#measure = new Measure(session, this.viewport);
     this.viewport.unit = session.scene.unit ?? "";
-    this.#parts = svg("g");
     this.viewport.world.append(this.#parts);
-    this.#pivots = svg("g", { class: "pivots" });
-    this.#marks = svg("g", { class: "marks" });
-    this.#handles = svg("g", { class: "handles" });
     this.viewport.overlay.append(this.#pivots, this.#names.group, this.#marks, this.#measure.group, this.#handles);
+    this.#handles.addEventListener("keydown", (event) => {
+      const [dx, dy] = ({ ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] } as Record<string, [number, number]>)[event.key] ?? [0, 0];
+      if (dx === 0 && dy === 0) return;
+      event.preventDefault();
+      event.stopPropagation();
+      const step = gridStep(this.viewport) * (event.shiftKey ? 0.1 : 1);
+      editor?.nudge(dx * step, dy * step, step);
+    });
     this.viewport.onView = () => this.#drawOverlay();
     editor?.onSelect.push(() => this.#drawOverlay());
     session.store.subscribe((changed, state) => this.#update(changed, state));
@@ -111,7 +115,7 @@ export class PartsView {
     if (changed.has("placements") || changed.has("parts")) {
       this.#drawn.forEach((d, i) => set(d.group, { transform: matrix(state.placements[i] ?? IDENTITY) }));
     }
-    if (changed.has("where") || changed.has("parts") || changed.has("height")) this.#touching();
+    if (changed.has("where") || changed.has("reason") || changed.has("pair") || changed.has("parts") || changed.has("height")) this.#touching();
     if (changed.has("record") && state.record) this.fit();
     if (["placements", "where", "parts", "pair", "editing", "measuring", "height"].some((k) => changed.has(k as Key))) this.#drawOverlay();
   }
@@ -184,21 +188,26 @@ export class PartsView {
     const pair = this.#session.pair;
     this.#drawn.forEach((d) => d.touching.replaceChildren());
     if (!pair) return;
-    for (const touch of this.#touches) {
-      for (const [index, name] of [[pair.fixed, touch.fixed] as const, [pair.moving, touch.moving] as const]) {
-        const d = this.#drawn[index];
-        const place = d ? featurePlace(d.part, name) : null;
-        if (!d || !place) continue;
-        const loop = d.part.loops[place.loop] ?? [];
-        const vertex = loop[place.index];
-        if (place.kind === "vertex" && vertex) {
-          // A line of no length with round ends is a dot of the stroke's width at any zoom.
-          d.touching.append(svg("path", { class: "touch-vertex", d: `M${vertex.x} ${vertex.y}h0` }));
-        } else {
-          const edge = edgeOf(loop, place.index);
-          if (edge) d.touching.append(svg("path", { class: "touch-edge", d: edgePath(edge) }));
-        }
+    const light = (index: number, name: string, kind: "touch" | "reason") => {
+      const d = this.#drawn[index];
+      const place = d ? featurePlace(d.part, name) : null;
+      if (!d || !place) return;
+      const loop = d.part.loops[place.loop] ?? [];
+      const vertex = loop[place.index];
+      if (place.kind === "vertex" && vertex) {
+        // A line of no length with round ends is a dot of the stroke's width at any zoom.
+        d.touching.append(svg("path", { class: `${kind}-vertex`, d: `M${vertex.x} ${vertex.y}h0` }));
+      } else {
+        const edge = edgeOf(loop, place.index);
+        if (edge) d.touching.append(svg("path", { class: `${kind}-edge`, d: edgePath(edge) }));
       }
+    };
+    const { fixed, moving } = this.#session.state.reason;
+    fixed.forEach((name) => light(pair.fixed, name, "reason"));
+    moving.forEach((name) => light(pair.moving, name, "reason"));
+    for (const touch of this.#touches) {
+      light(pair.fixed, touch.fixed, "touch");
+      light(pair.moving, touch.moving, "touch");
     }
   }
 
@@ -225,7 +234,10 @@ export class PartsView {
       }
     }
     this.#marks.replaceChildren(...marks);
+    // They are drawn anew: the one that has the focus keeps it.
+    const focused = this.#handles.contains(document.activeElement);
     this.#handles.replaceChildren(...(this.#editor?.handles(this.viewport) ?? []));
+    if (focused) this.#handles.querySelector<SVGElement>(".chosen")?.focus();
   }
 
   #pivotMarks(): SVGElement[] {
@@ -239,8 +251,7 @@ export class PartsView {
     state.parts.forEach((part, i) => {
       if (part.motion.type === "revolute") pivot(part.motion.center, "pivot", `pivot of ${part.name}`);
       if (part.motion.type === "prismatic") {
-        const box = boxOf(part.loops);
-        const at = this.viewport.toScreen(apply(state.placements[i] ?? IDENTITY, { x: (box.x0 + box.x1) / 2, y: (box.y0 + box.y1) / 2 }));
+        const at = this.viewport.toScreen(apply(state.placements[i] ?? IDENTITY, centerOf(boxOf(part.loops))));
         const d = unit(part.motion.direction);
         marks.push(svg("path", { class: "pivot", d: `M${at.x - 22 * d.x} ${at.y + 22 * d.y}L${at.x + 22 * d.x} ${at.y - 22 * d.y}` }, svg("title", {}, `slides: ${part.name}`)));
       }
@@ -258,6 +269,10 @@ export class PartsView {
     if (edited) return edited;
     const part = partOf(event.target);
     const pair = this.#session.pair;
+    if (part !== null && this.#session.state.traced === "next") {
+      this.#session.store.change({ traced: { part, at: apply(inverse(this.#session.state.placements[part] ?? IDENTITY), at) } });
+      return { move: () => {} };
+    }
     if (part !== null && this.#hand && this.#session.state.whole) {
       return this.#session.state.parts[part]?.motion.type === "fixed" ? null : this.#hand.grab(part, at);
     }
@@ -307,6 +322,14 @@ export class PartsView {
     };
   }
 
+  /** Two fingers turn the moving part, on a part that can turn. */
+  #twist(): ((by: number, about: Place) => void) | null {
+    const { pair, state } = this.#session;
+    const motion = pair && state.parts[pair.moving]?.motion.type;
+    if (!pair || state.editing || state.measuring || state.whole || (motion !== "planar" && motion !== "revolute")) return null;
+    return (by, about) => this.#session.turn(by, apply(inverse(this.#session.state.placements[pair.moving] ?? IDENTITY), about));
+  }
+
   #wheel(at: Place, event: WheelEvent): boolean {
     const { state, pair } = this.#session;
     const part = partOf(event.target);
@@ -318,14 +341,9 @@ export class PartsView {
     if (motion.type === "prismatic") this.#session.nudge(0, wheelSlide(event) * this.viewport.pixel.x);
     else if (motion.type === "revolute") this.#session.turn(wheelAngle(event));
     else if (state.dragging) this.#session.turn(wheelAngle(event));
-    else this.#session.turn(wheelAngle(event), apply(inverse(placement), event.shiftKey ? centerOf(moving, placement) : at));
+    else this.#session.turn(wheelAngle(event), apply(inverse(placement), event.shiftKey ? apply(placement, centerOf(boxOf(moving.loops))) : at));
     return true;
   }
-}
-
-function centerOf(part: ScenePart, p: Placement): Place {
-  const box = boxOf(part.loops);
-  return apply(p, { x: (box.x0 + box.x1) / 2, y: (box.y0 + box.y1) / 2 });
 }
 
 function lowerHinge({ pair, state }: Session): Place | null {
@@ -333,7 +351,8 @@ function lowerHinge({ pair, state }: Session): Place | null {
   return pair && pivot ? apply(state.placements[pair.fixed] ?? IDENTITY, pivot) : null;
 }
 
-function matrix(p: Placement): string {
+/** A placement as a transform of SVG. */
+export function matrix(p: Placement): string {
   const [c, s] = [Math.cos(p.theta), Math.sin(p.theta)];
   return `matrix(${c} ${s} ${-s} ${c} ${p.x} ${p.y})`;
 }

@@ -86,6 +86,11 @@ export function wrap(theta: number, lo: number): number {
   return theta - turns * TURN;
 }
 
+/** The shortest turn from one direction to another (radians). */
+export function turnBetween(a: Place, b: Place): number {
+  return Math.atan2(a.x * b.y - a.y * b.x, a.x * b.x + a.y * b.y);
+}
+
 /** The shortest turn from one orientation to another, in [−π, π). */
 export function shortestTurn(from: number, to: number): number {
   return wrap(to - from, -Math.PI);

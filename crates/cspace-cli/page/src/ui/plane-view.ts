@@ -9,16 +9,14 @@ import { set, svg } from "./dom.js";
 import { isAxes } from "./mechanism.js";
 import { Lens, lensBox } from "./lens.js";
 import { degrees, length, rounded } from "./numbers.js";
-import { emptyBox, grow } from "./outline.js";
-import type { Box } from "./outline.js";
+import { emptyBox, growBy, type Box } from "./outline.js";
 import { TURN, wrap } from "./placement.js";
 import { playOf } from "./play.js";
 import type { Session } from "./session.js";
 import { pointMark } from "./slice-view.js";
 import type { Key, State } from "./state.js";
 import { unhurried } from "./unhurried.js";
-import { Viewport, wheelSlide } from "./viewport.js";
-import type { Drag } from "./viewport.js";
+import { Viewport, wheelSlide, type Drag } from "./viewport.js";
 
 const GRAB = 26;
 /** Curves are drawn within this share of the smaller extent of the plane. */
@@ -32,20 +30,18 @@ const LENS_DEVIATION = 1 / 200;
 
 export class PlaneView {
   readonly viewport: Viewport;
-  readonly #session: Session;
   /** What drags contact curves. */
   readonly #contacts: ContactHand | null;
-  readonly #blocked: SVGRectElement;
-  readonly #free: SVGGElement;
-  readonly #curves: SVGGElement;
-  readonly #path: SVGPathElement;
+  readonly #blocked = svg("rect", { class: "blocked-space" });
+  readonly #free = svg("g");
+  readonly #curves = svg("g");
+  readonly #path = svg("path", { class: "way" });
   readonly #point: SVGGElement;
   readonly #lens: Lens;
   readonly #lookCloser = unhurried(() => this.#drawLens(), LENS_PAUSE);
   #drawn: { kernel: AxesKernel; deviation: number; curves: DrawnCurve[]; free: FreePolygon[] } | null = null;
 
-  constructor(parent: HTMLElement, session: Session, contacts: ContactHand | null) {
-    this.#session = session;
+  constructor(parent: HTMLElement, private readonly session: Session, contacts: ContactHand | null) {
     this.#contacts = contacts;
     this.viewport = new Viewport(parent, {
       uniform: false,
@@ -54,10 +50,6 @@ export class PlaneView {
       grab: (at) => this.#grab(at),
       wheel: (at, event) => this.#wheel(at, event),
     });
-    this.#blocked = svg("rect", { class: "blocked-space" });
-    this.#free = svg("g");
-    this.#curves = svg("g");
-    this.#path = svg("path", { class: "way" });
     const clip = svg("clipPath", { id: "plane-period" }, svg("rect"));
     const content = svg("g", { "clip-path": "url(#plane-period)" }, this.#blocked, this.#free, this.#path, this.#curves);
     this.viewport.world.append(clip, content);
@@ -72,7 +64,7 @@ export class PlaneView {
   }
 
   #update(changed: ReadonlySet<Key>, state: Readonly<State>): void {
-    const kernel = this.#session.axes;
+    const kernel = this.session.axes;
     if (!kernel) return;
     if (changed.has("space")) this.#build(kernel, !state.editing);
     if (["space", "where", "colouring", "hidden"].some((k) => changed.has(k as Key))) this.#paint(state, kernel);
@@ -91,7 +83,9 @@ export class PlaneView {
     const clip = this.viewport.world.querySelector("clipPath rect");
     if (clip) set(clip, attributes);
     const deviation = Math.min(box.x1 - box.x0, box.y1 - box.y0) * DEVIATION;
-    this.#drawn = { kernel, deviation, curves: kernel.curves(deviation), free: kernel.free(deviation) };
+    // Of a part that stands still a contact is one place, as far as the plane is drawn across.
+    const isDrawn = ({ points }: DrawnCurve) => points.some((p, i) => p !== points[i % 2]);
+    this.#drawn = { kernel, deviation, curves: kernel.curves(deviation).filter(isDrawn), free: kernel.free(deviation) };
     const byRegion = new Map<number, string>();
     for (const { region, points } of this.#drawn.free) byRegion.set(region, (byRegion.get(region) ?? "") + pathOf(points, true));
     this.#free.replaceChildren(
@@ -102,21 +96,19 @@ export class PlaneView {
 
   /** Shows the ranges of both motions, or a turn. */
   fit(): void {
-    const kernel = this.#session.axes;
+    const kernel = this.session.axes;
     if (kernel) this.viewport.fit(periodOf(kernel), 0.06);
   }
 
   /** Shows all of a region. */
   fitRegion(region: number): void {
     const box = emptyBox();
-    for (const { region: of, points } of this.#drawn?.free ?? []) {
-      if (of === region) for (let i = 0; i + 1 < points.length; i += 2) grow(box, { x: points[i] ?? 0, y: points[i + 1] ?? 0 });
-    }
+    for (const { region: of, points } of this.#drawn?.free ?? []) if (of === region) growBy(box, points);
     this.viewport.fit(box, 0.06);
   }
 
   #drawLens(): void {
-    const { axes: kernel, state } = this.#session;
+    const { axes: kernel, state } = this.session;
     const c = state.configuration;
     const inside = state.where.classification === "free" || state.where.classification === "contact";
     const drawn = this.#drawn;
@@ -131,24 +123,24 @@ export class PlaneView {
     const shown = { colouring: state.colouring, hidden: state.hidden, touching: new Set(state.where.patches) };
     const rooms = drawn.free.map(({ region, points }) => svg("path", { class: "free-region", fill: regionColour(region), stroke: "none", d: pathOf(points, true) }));
     const blocked = svg("rect", { class: "blocked-space", x: box.x0, y: box.y0, width: box.x1 - box.x0, height: box.y1 - box.y0 });
-    const text = (value: number, axis: AxisInfo) => (axis.kind === "angle" ? degrees(value, 3) : length(rounded(value), this.#session.scene.unit));
+    const text = (value: number, axis: AxisInfo) => (axis.kind === "angle" ? degrees(value, 3) : length(rounded(value), this.session.scene.unit));
     this.#lens.show(
       box,
       at,
       state.where.classification,
       [blocked, svg("g", {}, ...rooms), ...curvePaths(kernel as never, drawn.curves, shown)],
-      `u ${text(box.x1 - box.x0, kernel.u)}, v ${text(box.y1 - box.y0, kernel.v)}`,
+      `${text(box.x1 - box.x0, kernel.u)} by ${text(box.y1 - box.y0, kernel.v)}`,
     );
   }
 
   #axisText(): string {
-    const { pair, scene } = this.#session;
-    const text = (part: number | undefined, name: string) => {
+    const { pair, scene } = this.session;
+    const text = (part: number | undefined) => {
       const of = part === undefined ? undefined : scene.parts[part];
       const unit = of?.motion.type === "prismatic" && scene.unit ? ` (${scene.unit})` : "";
-      return `${name}: ${of?.name ?? ""}${unit}`;
+      return `${of?.name ?? ""}${unit}`;
     };
-    return `→ ${text(pair?.fixed, "u")}   ↑ ${text(pair?.moving, "v")}`;
+    return `→ ${text(pair?.fixed)}   ↑ ${text(pair?.moving)}`;
   }
 
   #paint(state: Readonly<State>, kernel: AxesKernel): void {
@@ -178,16 +170,16 @@ export class PlaneView {
   }
 
   #placePoint(): void {
-    const c = this.#session.state.configuration;
-    const kernel = this.#session.axes;
+    const c = this.session.state.configuration;
+    const kernel = this.session.axes;
     if (!kernel || !isAxes(c)) return;
     const { x, y } = this.viewport.toScreen(inPeriod(kernel, c));
     set(this.#point, { transform: `translate(${x} ${y})` });
   }
 
   #grab(at: Place): Drag | null {
-    const c = this.#session.state.configuration;
-    const kernel = this.#session.axes;
+    const c = this.session.state.configuration;
+    const kernel = this.session.axes;
     if (!kernel || !isAxes(c)) return null;
     const p = inPeriod(kernel, c);
     const { x, y } = this.viewport.pixel;
@@ -195,17 +187,14 @@ export class PlaneView {
       return this.#contacts?.grab(at, this.viewport, kernel, this.#drawn?.curves ?? [], ({ x: u, y: v }) => ({ u, v })) ?? null;
     }
     const [du, dv] = [c.u - at.x, c.v - at.y];
-    const { store } = this.#session;
+    const { store } = this.session;
     store.change({ dragging: true, playing: false });
-    return {
-      move: (to) => this.#session.aim({ u: to.x + du, v: to.y + dv }),
-      end: () => store.change({ dragging: false }),
-    };
+    return { move: (to) => this.session.aim({ u: to.x + du, v: to.y + dv }), end: () => store.change({ dragging: false }) };
   }
 
   #wheel(_at: Place, event: WheelEvent): boolean {
-    if (!event.shiftKey && !this.#session.state.dragging) return false;
-    this.#session.nudge(0, wheelSlide(event) * this.viewport.pixel.y);
+    if (!event.shiftKey && !this.session.state.dragging) return false;
+    this.session.nudge(0, wheelSlide(event) * this.viewport.pixel.y);
     return true;
   }
 }

@@ -15,8 +15,7 @@ import { regionOf } from "./verdict.js";
 const LISTED = 8;
 
 export class Readout {
-  readonly #session: Session;
-  readonly #outdated: HTMLElement;
+  readonly #outdated = html("div", { class: "outdated-note", role: "status" });
   readonly #configuration: HTMLElement;
   readonly #class: HTMLElement;
   readonly #region: HTMLElement;
@@ -26,14 +25,12 @@ export class Readout {
   readonly #pairClass = html("div", { id: "pair-class" });
   readonly #details = html("div", { class: "touching-list" });
 
-  constructor(parent: HTMLElement, session: Session) {
-    this.#session = session;
+  constructor(parent: HTMLElement, private readonly session: Session) {
     const entry = (name: string, room: string, ...classes: string[]) => {
       const value = html("dd", { class: classes.join(" ") });
       parent.append(html("div", { class: room }, html("dt", {}, name), value));
       return value;
     };
-    this.#outdated = html("div", { class: "outdated-note", role: "status" });
     parent.append(this.#outdated);
     this.#configuration = entry("configuration", "", "number");
     this.#class = entry("is", "short", "class");
@@ -48,7 +45,7 @@ export class Readout {
   }
 
   #draw(): void {
-    const { state, scene, axes, kernel } = this.#session;
+    const { state, scene, axes, kernel } = this.session;
     const { classification, region, nearest, touching } = state.where;
     const c = state.configuration;
     // A shape that crosses itself has no space.
@@ -58,7 +55,9 @@ export class Readout {
     const at = (value: number) => length(within(value, extent), scene.unit);
     if (isAxes(c)) {
       const text = (value: number, info: AxisInfo | undefined) => (info?.kind === "length" ? at(value) : info?.kind === "still" ? "still" : degrees(value, 6, TURN));
-      say(this.#configuration, `u ${text(c.u, axes?.u)}, v ${text(c.v, axes?.v)}`);
+      const name = (part: number | undefined) => scene.parts[part ?? -1]?.name ?? "";
+      const { pair } = this.session;
+      say(this.#configuration, `${name(pair?.fixed)} ${text(c.u, axes?.u)}, ${name(pair?.moving)} ${text(c.v, axes?.v)}`);
     } else {
       say(this.#configuration, `x ${at(c.x)}, y ${at(c.y)}, θ ${degrees(c.theta, 6, TURN)}`);
     }
@@ -67,7 +66,7 @@ export class Readout {
     set(this.#class, { "data-class": classification ?? "" });
     // A configuration in contact bounds the region of the patch it is on.
     const bounds = region === null ? regionOf({ where: state.where, kernel }) : null;
-    const { pair } = this.#session;
+    const { pair } = this.session;
     const name = (index: number) => (pair ? regionName(pair, index) : String(index));
     say(this.#region, region !== null ? name(region) : bounds !== null ? `edge of ${name(bounds)}` : "–");
     const known = pair?.resolution ?? 0;

@@ -1,12 +1,15 @@
 /** The coordinates of a record over the time of its playing. */
 
 import type { ScenePart } from "../scene.js";
-import type { PlayableRecord } from "./playable.js";
+import { rounded } from "./numbers.js";
+import { lastAt, timeAt, type PlayableRecord } from "./playable.js";
 
 export interface Series {
   /** Such as `wheel`, or `ring x`. */
   name: string;
-  kind: "length" | "angle";
+  kind: "length" | "angle" | "load";
+  /** Of a load. */
+  unit?: string;
   /** When values are played (s), ascending, and the values. */
   times: number[];
   values: number[];
@@ -15,7 +18,7 @@ export interface Series {
 }
 
 /** Coordinates that change; those of parts that stand still are nothing to look at. */
-export function seriesOf(record: PlayableRecord, parts: readonly ScenePart[], names: { fixed: string; moving: string }): Series[] {
+export function seriesOf(record: PlayableRecord, parts: readonly ScenePart[], names: { fixed: string; moving: string }, unit: string | null = null): Series[] {
   const all = new Map<string, Series>();
   const put = (name: string, kind: Series["kind"], t: number, value: number) => {
     let series = all.get(name);
@@ -44,20 +47,48 @@ export function seriesOf(record: PlayableRecord, parts: readonly ScenePart[], na
       else for (const [name, value] of [[names.fixed, at.u], [names.moving, at.v]] as const) put(name, turns(name) ? "angle" : "length", t, value);
     }
   }
-  return [...all.values()].filter((s) => s.hi > s.lo);
+  const loads = (record.kind === "simulation" ? record.drives : []).map(({ part, unit: force, times, values }): Series => ({
+    name: `${part} ${turns(part) ? "torque" : "force"}`,
+    kind: "load",
+    unit: force === "" ? `kg·${unit ?? "unit"}${turns(part) ? "²" : ""}/s²` : turns(part) ? `${force}·${unit}` : force,
+    times,
+    values,
+    lo: values.reduce((a, b) => Math.min(a, b), Infinity),
+    hi: values.reduce((a, b) => Math.max(a, b), -Infinity),
+  }));
+  return [...all.values(), ...loads].filter((s) => s.hi > s.lo);
 }
 
 /** The value at a time: the last that is not after it, as the parts are played; on a planned way, which is straight between its corners, between two. */
 export function valueAt({ times, values }: Series, t: number, straight: boolean): number {
-  let [lo, hi] = [0, times.length - 1];
-  while (lo < hi) {
-    const middle = Math.ceil((lo + hi) / 2);
-    if ((times[middle] ?? Infinity) <= t) lo = middle;
-    else hi = middle - 1;
-  }
+  const lo = lastAt(times.length, (i) => times[i], t);
   const [a = 0, b = a] = [values[lo], values[lo + 1]];
   const [s = 0, e = s] = [times[lo], times[lo + 1]];
   return straight && e > s ? a + (b - a) * Math.min(1, Math.max(0, (t - s) / (e - s))) : a;
+}
+
+/** Digits of degrees that are more than the rounding of their conversion. */
+const DIGITS = 15;
+
+/** All series as CSV: a row for each time, of the motion; angles in degrees. Of a planned path the first column is how far it is, from 0 to 1. */
+export function csvOf(record: PlayableRecord, series: readonly Series[], unit: string | null): string {
+  const rows = new Map<number, Map<Series, number>>();
+  for (const s of series) {
+    s.times.forEach((t, i) => {
+      let row = rows.get(t);
+      if (!row) rows.set(t, (row = new Map()));
+      const value = s.values[i] ?? NaN;
+      row.set(s, s.kind === "angle" ? rounded((value * 180) / Math.PI, DIGITS) : value);
+    });
+  }
+  const head = (s: Series) => {
+    const of = s.kind === "angle" ? "deg" : s.kind === "load" ? s.unit : unit;
+    return `"${s.name.replaceAll('"', '""')}${of ? ` (${of})` : ""}"`;
+  };
+  const first = record.kind === "plan" ? "share of the way" : "time (s)";
+  const at = (t: number) => (record.kind === "plan" ? t / (record.duration || 1) : timeAt(record, t));
+  const lines = [...rows].sort(([a], [b]) => a - b).map(([t, row]) => [at(t), ...series.map((s) => row.get(s) ?? "")].join());
+  return `${[[first, ...series.map(head)].join(), ...lines].join("\r\n")}\r\n`;
 }
 
 /** Points of the graph in the unit square, time to the right and values upwards: per column the first, the least, the greatest and the last. */

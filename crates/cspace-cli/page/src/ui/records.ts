@@ -3,13 +3,13 @@
 import { readAssembly } from "./assembly-record.js";
 import { distance } from "./legs.js";
 import type { Placement } from "./placement.js";
-import type { PlayableRecord, Sample } from "./playable.js";
+import { playedAt, type Load, type PlayableRecord, type Sample } from "./playable.js";
 import { RecordError, array, configuration, isObject, number, type Json } from "./record-json.js";
 
 /** A planned path has no times: it is played in this many seconds. */
 const PATH_SECONDS = 6;
 /** And so is what goes from one balance to another at once. */
-const SNAP_SECONDS = 0.4;
+export const SNAP_SECONDS = 0.4;
 /** Where contacts come and go there are two states of one time; with more, parts go somewhere. */
 const OF_ONE_TIME = 4;
 
@@ -77,11 +77,11 @@ function readSimulation(name: string, record: Json): PlayableRecord {
   const ticks = array(name, record["events"] ?? [], "events").map((event, i) => {
     if (!isObject(event)) throw new RecordError(`${name}: events[${i}] is no object`);
     const t = number(name, event["t"], `events[${i}].t`);
-    return { t: played(steps, t), text: eventText(event) };
+    return { t: playedAt(steps, t), text: eventText(event) };
   });
   const reason = typeof record["reason"] === "string" ? `: ${record["reason"]}` : "";
   const duration = steps[steps.length - 1]?.t ?? 0;
-  return { kind: "simulation", name, duration, ticks, summary: `${String(record["status"] ?? "done")}${reason}`, parts, steps };
+  return { kind: "simulation", name, duration, ticks, summary: `${String(record["status"] ?? "done")}${reason}`, parts, steps, drives: readDrives(name, record, steps) };
 }
 
 /** States of all parts: each is its time, their coordinates in order, and more that is not looked at. */
@@ -97,16 +97,25 @@ function readStates(name: string, states: unknown, first: Sample): Sample[] {
   });
 }
 
-/** When a time of the motion is played: what happens at once begins then. */
-function played(steps: readonly Sample[], time: number): number {
-  let [lo, hi] = [0, steps.length];
-  while (lo < hi) {
-    const middle = (lo + hi) >> 1;
-    if ((steps[middle]?.time ?? Infinity) < time) lo = middle + 1;
-    else hi = middle;
-  }
-  const before = steps[lo - 1];
-  return time + (before ? before.t - before.time : 0);
+/** What the samples say of drives. */
+function readDrives(name: string, record: Json, steps: readonly Sample[]): Load[] {
+  const units = isObject(record["units"]) ? record["units"] : {};
+  const all = new Map<string, Load>();
+  array(name, record["samples"], "samples").forEach((row, i) => {
+    const forces = isObject(row) ? row["forces"] : null;
+    if (!isObject(row) || !isObject(forces)) return;
+    const place = `samples[${i}].forces.drives`;
+    const t = playedAt(steps, number(name, row["t"], `samples[${i}].t`));
+    for (const drive of array(name, forces["drives"] ?? [], place)) {
+      if (!isObject(drive)) throw new RecordError(`${name}: ${place} has what is no object`);
+      const part = String(drive["part"]);
+      let load = all.get(part);
+      if (!load) all.set(part, (load = { part, unit: String(units["force"] ?? ""), times: [], values: [] }));
+      load.times.push(t);
+      load.values.push(number(name, drive["force"], `${place}.force`));
+    }
+  });
+  return [...all.values()];
 }
 
 /** Gives what happens at once some time to be seen. */

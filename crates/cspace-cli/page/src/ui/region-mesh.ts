@@ -1,12 +1,9 @@
 /** The part of the contact surface that bounds one free region, as a mesh to which patches are added. */
 
-import { Box3, BufferAttribute, BufferGeometry, DoubleSide, LineSegments, Mesh, MeshLambertMaterial } from "three";
-import type { Plane } from "three";
+import { Box3, BufferAttribute, BufferGeometry, DoubleSide, LineSegments, Mesh, MeshLambertMaterial, type Plane } from "three";
 import type { PatchKind, PlanarKernel } from "../kernel/api.js";
-import { channels, patchColour } from "./colours.js";
-import type { Colouring } from "./colours.js";
-import { swing, swingSlope } from "./space-scale.js";
-import type { SpaceScale } from "./space-scale.js";
+import { channels, patchColour, type Colouring } from "./colours.js";
+import { swing, swingSlope, type SpaceScale } from "./space-scale.js";
 import { rimMaterial, rimOf } from "./surface-rim.js";
 
 /** A mesh begins with room for so many vertices and doubles it when it is full. */

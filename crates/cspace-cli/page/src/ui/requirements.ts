@@ -3,12 +3,12 @@
 import type { SceneParameter } from "../scene.js";
 import { html, say, set, svg } from "./dom.js";
 import type { Editor } from "./edit.js";
-import { degrees, length, rounded, short } from "./numbers.js";
+import { degrees, rounded, short } from "./numbers.js";
+import { requirementMark, requirementText } from "./requirement-text.js";
 import type { Session } from "./session.js";
-import { HEIGHT, WIDTH, shareAt, stretched } from "./strip-plot.js";
+import { HEIGHT, WIDTH, axes, shareAt, stretched } from "./strip-plot.js";
 import { unhurried } from "./unhurried.js";
-import { WorkError } from "./workshop.js";
-import type { CheckRow, Edits, Workshop } from "./workshop.js";
+import { WorkError, type CheckRow, type Edits, type Workshop } from "./workshop.js";
 
 /** Requirements are measured so much after the last change (ms). */
 const PAUSE = 150;
@@ -16,6 +16,8 @@ const PAUSE = 150;
 const INTERVALS = 32;
 /** Above and below what is drawn, as a share. */
 const MARGIN = 0.08;
+/** A band of limits is at least so thick, of {@link HEIGHT}. */
+const LEAST_BAND = 7;
 
 interface Item {
   name: string;
@@ -40,8 +42,8 @@ export class Requirements {
   readonly #editor: Editor;
   readonly #checks: () => Workshop;
   readonly #items: Item[];
-  /** The parameters as they were when the model was opened. */
-  readonly #opened: ReadonlyMap<string, SceneParameter>;
+  /** From where to where the slider of a parameter goes. */
+  readonly #rangeOf: (name: string) => readonly [number, number];
   readonly #failure = html("p", { class: "bad", role: "alert", hidden: "" });
   readonly #choice = html("select", { id: "strip-over" });
   readonly #checkLater = unhurried(() => void this.#check(), PAUSE);
@@ -49,12 +51,12 @@ export class Requirements {
   /** Answers of earlier questions are dropped. */
   #asked = 0;
 
-  constructor(parent: HTMLElement, session: Session, editor: Editor, checks: () => Workshop) {
+  constructor(parent: HTMLElement, session: Session, editor: Editor, checks: () => Workshop, rangeOf: (name: string) => readonly [number, number]) {
     this.#session = session;
     this.#editor = editor;
     this.#checks = checks;
     const design = session.scene.design;
-    this.#opened = new Map(design?.parameters.map((p) => [p.name, p]) ?? []);
+    this.#rangeOf = rangeOf;
     this.#items = (design?.requirements ?? []).map((name) => ({ name, mark: html("span", { class: "mark" }, "…"), value: html("output"), plot: html("div", { class: "plot", hidden: "" }) }));
     const free = design?.parameters.filter((p) => p.expression === null) ?? [];
     this.#choice.append(html("option", { value: "" }, "–"), ...free.map((p) => html("option", { value: p.name }, p.name)));
@@ -77,15 +79,23 @@ export class Requirements {
       this.#forget();
     });
     session.store.subscribe((changed) => {
-      if (changed.has("scene")) this.#checkLater();
+      if (!changed.has("scene")) return;
+      session.store.change({ checked: null });
+      this.#checkLater();
     });
   }
 
-  /** The parameter that is in hand: strips are over it, if any are shown. */
+  /** The parameter that is in hand: strips are over it. */
   over(name: string): void {
-    if (this.#choice.value === "" || this.#choice.value === name) return;
+    if (this.#choice.value === name) return;
     this.#choice.value = name;
     this.#strip = null;
+    this.#checkLater();
+  }
+
+  /** Measures again: a range has grown. */
+  measure(): void {
+    this.#checkLater();
   }
 
   async #check(): Promise<void> {
@@ -102,6 +112,7 @@ export class Requirements {
       this.#forget();
       return;
     }
+    this.#session.store.change({ checked: rows });
     for (const item of this.#items) this.#say(item, rows.find((r) => r.name === item.name));
     await this.#measureStrip(asked, checks, edits, rows);
   }
@@ -123,23 +134,17 @@ export class Requirements {
     }
   }
 
-  #say({ mark, value }: Item, row: CheckRow | undefined): void {
+  #say(item: Item, row: CheckRow | undefined): void {
     if (!row) return;
-    const kind = row.met === null ? "" : row.met ? " met" : " unmet";
-    mark.className = `mark${kind}`;
-    say(mark, row.undecided ? "?" : row.met === null ? "·" : row.met ? "✓" : "✗");
-    mark.title = row.undecided ? "not decided" : row.met === null ? "measured alone" : row.met ? "met" : "not met";
-    set(mark, { role: "img", "aria-label": mark.title });
-    const is = row.value === null ? (row.failure ?? "none") : this.#text(row, row.value);
-    const ask = row.limits ? ` of ${this.#text(row, row.limits[0])} to ${this.#text(row, row.limits[1])}` : "";
-    say(value, `${is}${ask}`);
+    const mark = requirementMark(row);
+    item.mark.replaceWith(mark);
+    item.mark = mark;
+    const ask = row.limits ? row.limits.map((x) => this.#text(row, x)).join(" to ") : row.equals !== undefined ? this.#text(row, row.equals) : null;
+    say(item.value, `${this.#text(row, row.value)}${ask === null ? "" : `, is to be ${ask}`}`);
   }
 
-  #text({ dimension }: CheckRow, value: number | boolean): string {
-    if (typeof value === "boolean") return value ? "yes" : "no";
-    if (dimension === "angle") return degrees(value, 4);
-    if (dimension === "time") return `${short(rounded(value, 4))} s`;
-    return dimension === "length" ? length(rounded(value, 4), this.#session.scene.unit) : short(rounded(value, 4));
+  #text(row: CheckRow, value: number | boolean | null): string {
+    return requirementText(row, value, this.#session.scene.unit);
   }
 
   /** Measures along the parameter, every other step first, and draws what is known. */
@@ -148,10 +153,9 @@ export class Requirements {
     const parameter = this.#session.scene.design?.parameters.find((p) => p.name === name);
     for (const { plot } of this.#items) plot.hidden = !parameter;
     if (!parameter) return;
-    const key = JSON.stringify({ ...edits, name, set: edits.set.filter((s) => s.name !== name) });
-    // The range is that of the slider, which stays while it is moved.
-    const opened = this.#opened.get(name) ?? parameter;
-    const strip = this.#strip?.key === key ? this.#strip : { parameter: opened, values: valuesOf(opened), rows: [], key };
+    const range = this.#rangeOf(name);
+    const key = JSON.stringify({ ...edits, name, range, set: edits.set.filter((s) => s.name !== name) });
+    const strip = this.#strip?.key === key ? this.#strip : { parameter, values: valuesOf(range, parameter.is_count), rows: [], key };
     this.#strip = strip;
     this.#drawStrip(strip, now, parameter.value);
     for (let stride = INTERVALS; stride >= 1; stride /= 2) {
@@ -189,10 +193,19 @@ export class Requirements {
         if (place) d += pen ? `L${place}` : `M${place}L${place}`;
         pen = place !== null;
       }
-      const band = limits ? [svg("rect", { class: "limits", x: 0, width: WIDTH, y: y(limits[1]), height: Math.max(1, y(limits[0]) - y(limits[1])) })] : [];
-      plot.replaceChildren(...stretched(...band, svg("path", { d })));
-      set(plot, { style: `--at: ${100 * Math.min(1, Math.max(0, shareOf(at)))}%` });
-      plot.title = `${parameter.name} from ${shown(lo)} to ${shown(hi)}: click to set it`;
+      const [from, to] = limits ? [y(limits[1]), y(limits[0])] : [0, 0];
+      const thick = Math.max(LEAST_BAND, to - from);
+      const band = limits ? [svg("rect", { class: "limits", x: 0, width: WIDTH, y: (from + to - thick) / 2, height: thick })] : [];
+      const row = now.find((r) => r.name === name);
+      const text = (v: number) => (row ? this.#text(row, row.dimension === "truth" ? v > 0.5 : v) : "");
+      const ends = present.length > 0 ? [text(high), text(low)] : ["", ""];
+      plot.replaceChildren(...stretched(...band, svg("path", { d })), ...axes([shown(lo), parameter.name, shown(hi)], ends));
+      set(plot, {
+        style: `--at: ${100 * Math.min(1, Math.max(0, shareOf(at)))}%`,
+        role: "img",
+        "aria-label": `${name} over ${parameter.name} from ${shown(lo)} to ${shown(hi)}: ${ends.join(" at most, ")} at least`,
+        title: "Click to set the parameter",
+      });
     }
   }
 
@@ -208,9 +221,9 @@ export class Requirements {
 }
 
 /** The values of a strip: evenly over the range of the slider; of a count all whole numbers, if they are not too many. */
-function valuesOf({ range: [lo, hi], is_count }: SceneParameter): number[] {
+function valuesOf([lo, hi]: readonly [number, number], isCount: boolean): number[] {
   const even = Array.from({ length: INTERVALS + 1 }, (_, i) => lo + ((hi - lo) * i) / INTERVALS);
-  return is_count ? [...new Set(hi - lo <= INTERVALS ? Array.from({ length: hi - lo + 1 }, (_, i) => lo + i) : even.map(Math.round))] : even;
+  return isCount ? [...new Set(hi - lo <= INTERVALS ? Array.from({ length: hi - lo + 1 }, (_, i) => lo + i) : even.map(Math.round))] : even;
 }
 
 function extent(values: readonly number[]): [number, number] {

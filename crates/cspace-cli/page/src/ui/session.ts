@@ -3,22 +3,17 @@
 import type { AxesConfiguration, AxesKernel, Configuration, Kernel, PlanarConfiguration, PlanarKernel } from "../kernel/api.js";
 import { openPair } from "../kernel/index.js";
 import type { Scene, ScenePair } from "../scene.js";
-import { USUAL } from "./address.js";
-import type { Address } from "./address.js";
+import { USUAL, usualView, type Address } from "./address.js";
 import { firstPair } from "./first-pair.js";
-import { intervalAt } from "./heights.js";
-import type { Interval } from "./heights.js";
+import { intervalAt, type Interval } from "./heights.js";
 import { lowerPair } from "./lower.js";
-import { atRest, configurationOf, hasAxes, isAxes, isPlanar, placed } from "./mechanism.js";
-import type { Anchor } from "./mechanism.js";
+import { atRest, configurationOf, hasAxes, isAxes, isPlanar, placed, type Anchor } from "./mechanism.js";
 import { note } from "./message.js";
-import { IDENTITY, apply, coordinateOf, ofMotion, relative, rotate } from "./placement.js";
-import type { Placement } from "./placement.js";
+import { IDENTITY, apply, coordinateOf, ofMotion, relative, rotate, type Placement } from "./placement.js";
 import { regionName } from "./region-names.js";
 import { ServerError } from "./server.js";
 import { sliceExtent } from "./slice-extent.js";
-import { Store } from "./state.js";
-import type { State, Where } from "./state.js";
+import { Store, type State, type Where } from "./state.js";
 import { neighbour, stepTo } from "./step-band.js";
 import { regionOf } from "./verdict.js";
 import { WorkError } from "./workshop.js";
@@ -58,6 +53,9 @@ export class Session {
       colouring: address.colouring ?? USUAL.colouring,
       hidden: new Set(address.hidden ?? []),
       cut: address.cut ?? USUAL.cut,
+      view: address.view ?? usualView(scene),
+      reason: { fixed: [], moving: [] },
+      order: null,
       dragging: false,
       record: null,
       time: 0,
@@ -72,6 +70,9 @@ export class Session {
       held: null,
       displaced: false,
       message: null,
+      checked: null,
+      compared: null,
+      traced: null,
     });
   }
 
@@ -219,7 +220,7 @@ export class Session {
   /** Places parts of a simulation; the configuration follows. */
   setPlacements(placements: Placement[]): void {
     const pair = this.pair;
-    this.store.change({ placements });
+    this.store.change({ placements, displaced: false });
     if (!pair) return;
     this.store.change({ configuration: configurationOf(this.scene, pair, placements) });
     this.#look();

@@ -9,16 +9,15 @@ import { DragGoal } from "./drag-goal.js";
 import { isPlanar } from "./mechanism.js";
 import { Lens, lensBox } from "./lens.js";
 import { length, rounded } from "./numbers.js";
-import { emptyBox, grow } from "./outline.js";
-import type { Box } from "./outline.js";
+import { emptyBox, grow, growBy, type Box } from "./outline.js";
 import { playOf } from "./play.js";
 import type { Session } from "./session.js";
 import { sliceExtent } from "./slice-extent.js";
 import { FAR, currentSlice, refine, swings } from "./slices.js";
 import type { Key, State } from "./state.js";
 import { unhurried } from "./unhurried.js";
-import { Viewport, wheelAngle } from "./viewport.js";
-import type { Drag } from "./viewport.js";
+import { cagedIn } from "./verdict.js";
+import { Viewport, wheelAngle, type Drag } from "./viewport.js";
 
 /** How near to the point it is grabbed, in pixels; fingers are thicker than mice. */
 const GRAB = 26;
@@ -35,20 +34,18 @@ const REGION_MARGIN = 0.3;
 
 export class SliceView {
   readonly viewport: Viewport;
-  readonly #session: Session;
   /** What drags contact curves. */
   readonly #contacts: ContactHand | null;
   /** Whether contacts of other orientations are too far away to be shown together. */
   #swings = false;
-  readonly #curves: SVGGElement;
-  readonly #blocked: SVGPathElement;
-  readonly #path: SVGPathElement;
+  readonly #curves = svg("g");
+  readonly #blocked = svg("path", { class: "blocked-space", "fill-rule": "evenodd" });
+  readonly #path = svg("path", { class: "way" });
   readonly #point: SVGGElement;
   readonly #lens: Lens;
   readonly #lookCloser = unhurried(() => this.#drawLens(), LENS_PAUSE);
 
-  constructor(parent: HTMLElement, session: Session, contacts: ContactHand | null) {
-    this.#session = session;
+  constructor(parent: HTMLElement, private readonly session: Session, contacts: ContactHand | null) {
     this.#contacts = contacts;
     this.viewport = new Viewport(parent, {
       uniform: true,
@@ -62,9 +59,6 @@ export class SliceView {
       },
     });
     this.viewport.unit = session.scene.unit ?? "";
-    this.#path = svg("path", { class: "way" });
-    this.#curves = svg("g");
-    this.#blocked = svg("path", { class: "blocked-space", "fill-rule": "evenodd" });
     this.viewport.world.append(this.#blocked, this.#path, this.#curves);
     this.#point = pointMark();
     this.viewport.overlay.append(this.#point);
@@ -78,9 +72,11 @@ export class SliceView {
   }
 
   #update(changed: ReadonlySet<Key>, state: Readonly<State>): void {
-    const kernel = this.#session.planar;
+    const kernel = this.session.planar;
     if (changed.has("space") && kernel && !state.editing) {
       this.fit();
+      const region = cagedIn(this.session);
+      if (region !== null) this.fitRegion(region);
     }
     if (["configuration", "space", "where", "colouring", "hidden"].some((k) => changed.has(k as Key))) {
       if (changed.has("configuration")) this.#follow();
@@ -97,20 +93,20 @@ export class SliceView {
   }
 
   #drawCurves(fill = true): void {
-    const { planar: kernel, state } = this.#session;
+    const { planar: kernel, state } = this.session;
     const shown = { colouring: state.colouring, hidden: state.hidden, touching: new Set(state.where.patches) };
     if (fill) this.#fill(kernel);
-    this.#curves.replaceChildren(...(kernel ? curvePaths(kernel as never, currentSlice(this.#session), shown) : []));
+    this.#curves.replaceChildren(...(kernel ? curvePaths(kernel as never, currentSlice(this.session), shown) : []));
   }
 
   /** Shows all contacts, and the configuration and the way that is played if they are not far away. */
   fit(): void {
-    const { planar: kernel, state } = this.#session;
+    const { planar: kernel, state } = this.session;
     if (!kernel) return;
     const { lo, hi } = kernel.bounds();
-    const far = FAR * sliceExtent(this.#session.state);
-    this.#swings = swings(this.#session, kernel);
-    const box = this.#swings ? boxOfCurves(currentSlice(this.#session)) : { x0: lo[0], y0: lo[1], x1: hi[0], y1: hi[1] };
+    const far = FAR * sliceExtent(this.session.state);
+    this.#swings = swings(this.session, kernel);
+    const box = this.#swings ? boxOfCurves(currentSlice(this.session)) : { x0: lo[0], y0: lo[1], x1: hi[0], y1: hi[1] };
     const c = state.configuration;
     if (isPlanar(c) && !(awayFrom(box, c) > far)) grow(box, c);
     for (const { at } of state.record?.kind === "plan" ? state.record.steps : []) if (isPlanar(at) && !(awayFrom(box, at) > far)) grow(box, at);
@@ -119,15 +115,15 @@ export class SliceView {
 
   /** Shows what bounds a region at the current orientation. */
   fitRegion(region: number): void {
-    const { planar: kernel, state } = this.#session;
+    const { planar: kernel, state } = this.session;
     const c = state.configuration;
     if (!kernel || !isPlanar(c)) return;
-    const curves = currentSlice(this.#session).filter((curve) => curve.region === region);
+    const curves = currentSlice(this.session).filter((curve) => curve.region === region);
     if (curves.length > 0) this.viewport.fit(boxOfCurves(curves), REGION_MARGIN);
   }
 
   #drawLens(): void {
-    const { planar: kernel, state, scene } = this.#session;
+    const { planar: kernel, state, scene } = this.session;
     const { configuration: c, where } = state;
     const inside = where.classification === "free" || where.classification === "contact";
     if (!kernel || !isPlanar(c) || !inside) return this.#lens.hide();
@@ -135,7 +131,7 @@ export class SliceView {
     const box = across && up && lensBox(c, { across, up }, this.viewport.pixel, this.#lens.side);
     if (!box) return this.#lens.hide();
     const curves = kernel.slice(c.theta, (box.x1 - box.x0) * LENS_DEVIATION);
-    const loops = loopsOf(curves.map((curve) => curve.points), sliceExtent(this.#session.state) * JOINED);
+    const loops = loopsOf(curves.map((curve) => curve.points), sliceExtent(this.session.state) * JOINED);
     const shown = { colouring: state.colouring, hidden: state.hidden, touching: new Set(where.patches) };
     const blocked = svg("path", { class: "blocked-space", "fill-rule": "evenodd", d: loops.map((points) => pathOf(points, true)).join("") });
     this.#lens.show(box, c, where.classification, [blocked, ...curvePaths(kernel as never, curves, shown)], `${length(rounded(box.x1 - box.x0), scene.unit)} wide`);
@@ -144,42 +140,42 @@ export class SliceView {
   /** Where contacts of other orientations are elsewhere, the view goes along. */
   #follow(): void {
     if (!this.#swings) return;
-    const [seen, box] = [this.viewport.box, boxOfCurves(currentSlice(this.#session))];
+    const [seen, box] = [this.viewport.box, boxOfCurves(currentSlice(this.session))];
     if (box.x0 > seen.x1 || box.x1 < seen.x0 || box.y0 > seen.y1 || box.y1 < seen.y0) this.fit();
   }
 
   /** Far away everything is free, so that what an odd number of loops is around is blocked. */
   #fill(kernel: PlanarKernel | null): void {
-    const curves = kernel ? currentSlice(this.#session) : [];
-    const loops = kernel ? loopsOf(curves.map((c) => c.points), sliceExtent(this.#session.state) * JOINED) : [];
+    const curves = kernel ? currentSlice(this.session) : [];
+    const loops = kernel ? loopsOf(curves.map((c) => c.points), sliceExtent(this.session.state) * JOINED) : [];
     set(this.#blocked, { d: loops.map((points) => pathOf(points, true)).join("") });
   }
 
   #placePoint(): void {
-    const c = this.#session.state.configuration;
+    const c = this.session.state.configuration;
     if (!isPlanar(c)) return;
     const { x, y } = this.viewport.toScreen(c);
     set(this.#point, { transform: `translate(${x} ${y})` });
   }
 
   #isNear(at: Place): boolean {
-    const c = this.#session.state.configuration;
+    const c = this.session.state.configuration;
     return isPlanar(c) && Math.hypot(at.x - c.x, at.y - c.y) < GRAB * this.viewport.pixel.x;
   }
 
   #grab(at: Place): Drag | null {
-    const c = this.#session.state.configuration;
-    const kernel = this.#session.planar;
+    const c = this.session.state.configuration;
+    const kernel = this.session.planar;
     if (!isPlanar(c)) return null;
-    if (!this.#isNear(at)) return (kernel && this.#contacts?.grab(at, this.viewport, kernel, currentSlice(this.#session), ({ x, y }) => ({ x, y, theta: c.theta }))) ?? null;
+    if (!this.#isNear(at)) return (kernel && this.#contacts?.grab(at, this.viewport, kernel, currentSlice(this.session), ({ x, y }) => ({ x, y, theta: c.theta }))) ?? null;
     const [dx, dy] = [c.x - at.x, c.y - at.y];
-    const goal = new DragGoal(c, () => this.#session.turnedBy);
-    const { store } = this.#session;
+    const goal = new DragGoal(c, () => this.session.turnedBy);
+    const { store } = this.session;
     store.change({ dragging: true, playing: false });
     return {
       move: (to) => {
         goal.moveTo(to.x + dx, to.y + dy);
-        this.#session.aim(goal.placement);
+        this.session.aim(goal.placement);
       },
       end: () => store.change({ dragging: false }),
     };
@@ -187,9 +183,7 @@ export class SliceView {
 }
 
 function boxOfCurves(curves: readonly DrawnCurve[]): Box {
-  const box = emptyBox();
-  for (const { points } of curves) for (let i = 0; i + 1 < points.length; i += 2) grow(box, { x: points[i] ?? 0, y: points[i + 1] ?? 0 });
-  return box;
+  return curves.reduce((box, { points }) => growBy(box, points), emptyBox());
 }
 
 /** How far a point is outside of a box; no number of an empty box. */

@@ -1,7 +1,6 @@
 /** The box of the 3-D view with its axes, whose numbers are text of the page laid over the picture. */
 
-import { BufferAttribute, BufferGeometry, Group, LineBasicMaterial, LineSegments, Vector3 } from "three";
-import type { Camera } from "three";
+import { BufferAttribute, BufferGeometry, Group, LineBasicMaterial, LineSegments, Vector3, type Camera } from "three";
 import { html, say } from "./dom.js";
 import { gridLines, lineText } from "./grid.js";
 import { angleStep, degrees, lengthStep } from "./numbers.js";
@@ -19,12 +18,11 @@ interface Label {
 
 export class SpaceAxes {
   readonly group = new Group();
-  readonly #layer: HTMLElement;
+  readonly #layer = html("div", { class: "space-labels", "aria-hidden": "true" });
   readonly #material = new LineBasicMaterial({ color: 0x888888 });
   #labels: Label[] = [];
 
   constructor(parent: HTMLElement) {
-    this.#layer = html("div", { class: "space-labels", "aria-hidden": "true" });
     parent.append(this.#layer);
   }
 

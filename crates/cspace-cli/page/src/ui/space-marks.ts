@@ -1,21 +1,7 @@
 /** What moves in the 3-D view: the slice on its plane, the configuration, the patch that touches, a planned way. */
 
-import {
-  BackSide,
-  BufferAttribute,
-  BufferGeometry,
-  DoubleSide,
-  EdgesGeometry,
-  Group,
-  LineBasicMaterial,
-  LineSegments,
-  Mesh,
-  MeshBasicMaterial,
-  PlaneGeometry,
-  SphereGeometry,
-  Vector2,
-} from "three";
-import type { Plane } from "three";
+import { BackSide, BufferAttribute, BufferGeometry, DoubleSide, EdgesGeometry, Group, LineBasicMaterial, LineSegments } from "three";
+import { Mesh, MeshBasicMaterial, PlaneGeometry, SphereGeometry, Vector2, type Plane } from "three";
 import { LineMaterial } from "three/addons/lines/LineMaterial.js";
 import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js";
@@ -24,8 +10,7 @@ import { TOUCHING } from "./colours.js";
 import { isPlanar } from "./mechanism.js";
 import { TURN, wrap } from "./placement.js";
 import { turnsOf } from "./surface.js";
-import type { SpaceScale } from "./space-scale.js";
-import { swing } from "./space-scale.js";
+import { inSpace, type SpaceScale } from "./space-scale.js";
 
 /** Widths of lines and the size of the point, in pixels. */
 const SLICE_WIDTH = 3;
@@ -51,7 +36,7 @@ export class SpaceMarks {
   /** The same, seen faintly through what is before it. */
   readonly #shining: Mesh<BufferGeometry, MeshBasicMaterial>;
   readonly #point = new Group();
-  readonly #dot: MeshBasicMaterial;
+  readonly #dot = new MeshBasicMaterial({ color: 0xffffff });
   #litPatches = "";
 
   constructor(window: Plane[]) {
@@ -81,7 +66,6 @@ export class SpaceMarks {
     );
     this.#shining.frustumCulled = false;
     this.#shining.renderOrder = 4;
-    this.#dot = new MeshBasicMaterial({ color: 0xffffff });
     const ball = new SphereGeometry(1, 24, 16);
     const dark = { color: 0x000000, side: BackSide };
     const rim = new Mesh(ball, new MeshBasicMaterial(dark));
@@ -116,11 +100,11 @@ export class SpaceMarks {
 
   setSlice(curves: readonly DrawnCurve[], hidden: ReadonlySet<number>, z: number, scale: SpaceScale): void {
     const positions: number[] = [];
-    const aside = swing(scale, z / scale.perRadian);
+    const theta = z / scale.perRadian;
     for (const { points, region } of curves) {
       if (region !== null && hidden.has(region)) continue;
       for (let i = 0; i + 3 < points.length; i += 2) {
-        for (const j of [i, i + 2]) positions.push((points[j] ?? 0) + aside.x - scale.center[0], (points[j + 1] ?? 0) + aside.y - scale.center[1], z);
+        for (const j of [i, i + 2]) positions.push(...inSpace(scale, { x: points[j] ?? 0, y: points[j + 1] ?? 0, theta }));
       }
     }
     setSegments(this.#slice, positions);
@@ -152,13 +136,8 @@ export class SpaceMarks {
       for (const turn of kernel ? turnsOf(kernel, patch) : []) {
         const start = positions.length / 3;
         for (let i = 0; i < made.positions.length; i += 3) {
-          const theta = made.positions[i + 2] ?? 0;
-          const aside = swing(scale, theta);
-          positions.push(
-            (made.positions[i] ?? 0) + aside.x - scale.center[0],
-            (made.positions[i + 1] ?? 0) + aside.y - scale.center[1],
-            (theta + turn) * scale.perRadian,
-          );
+          const [x = 0, y = 0, theta = 0] = [made.positions[i], made.positions[i + 1], made.positions[i + 2]];
+          positions.push(...inSpace(scale, { x, y, theta }, turn));
         }
         for (const index of made.indices) indices.push(start + index);
       }
@@ -184,12 +163,7 @@ export class SpaceMarks {
       const [a, b] = [steps[i], steps[i + 1]];
       if (!a || !b || !isPlanar(a) || !isPlanar(b)) continue;
       const pieces = fullTurn ? cutAtEnds(a, b, lo, hi) : [[a, b] as const];
-      for (const piece of pieces) {
-        for (const c of piece) {
-          const aside = swing(scale, c.theta);
-          positions.push(c.x + aside.x - scale.center[0], c.y + aside.y - scale.center[1], c.theta * scale.perRadian);
-        }
-      }
+      positions.push(...pieces.flat().flatMap((c) => inSpace(scale, c)));
     }
     this.#wayMaterial.color.set(isStale ? STALE : WAY);
     setSegments(this.#way, positions);

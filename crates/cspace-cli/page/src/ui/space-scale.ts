@@ -1,7 +1,7 @@
 /** How configurations are placed in the 3-D view: z is the orientation, scaled. */
 
 import type { Place } from "../scene.js";
-import { rotate } from "./placement.js";
+import { rotate, type Placement } from "./placement.js";
 
 export interface SpaceScale {
   /** What is in the middle (model unit). */
@@ -22,6 +22,12 @@ export function swing({ arm }: SpaceScale, theta: number): Place {
   if (arm.x === 0 && arm.y === 0) return NO_SWING;
   const r = rotate(arm, theta);
   return { x: r.x - arm.x, y: r.y - arm.y };
+}
+
+/** Where a configuration is drawn, so many radians above its orientation. */
+export function inSpace(scale: SpaceScale, { x, y, theta }: Placement, above = 0): [number, number, number] {
+  const aside = swing(scale, theta);
+  return [x + aside.x - scale.center[0], y + aside.y - scale.center[1], (theta + above) * scale.perRadian];
 }
 
 /** How {@link swing} changes with z. */

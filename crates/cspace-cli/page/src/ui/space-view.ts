@@ -7,7 +7,7 @@ import type { Place } from "../scene.js";
 import { TOUCHING } from "./colours.js";
 import { DragGoal } from "./drag-goal.js";
 import { isPlanar } from "./mechanism.js";
-import { boxOf } from "./outline.js";
+import { boxOf, centerOf } from "./outline.js";
 import { Pace } from "./pace.js";
 import { wrap } from "./placement.js";
 import type { Session } from "./session.js";
@@ -16,8 +16,7 @@ import { SpaceAxes } from "./space-axes.js";
 import { SpaceMarks } from "./space-marks.js";
 import type { Key, State } from "./state.js";
 import { Surface } from "./surface.js";
-import { swing } from "./space-scale.js";
-import type { SpaceScale } from "./space-scale.js";
+import { swing, type SpaceScale } from "./space-scale.js";
 import { wheelAngle } from "./viewport.js";
 
 /** How near to the point it is grabbed, in pixels. */
@@ -45,8 +44,6 @@ export class SpaceView {
   /** Called when the user has looked from elsewhere. */
   onCamera: (() => void) | null = null;
   onProgress: ((left: number) => void) | null = null;
-  readonly #session: Session;
-  readonly #element: HTMLElement;
   readonly #renderer: WebGLRenderer;
   readonly #pace: Pace;
   #coarse = false;
@@ -70,9 +67,7 @@ export class SpaceView {
   #cameraFrom: readonly number[] | null;
 
   /** Throws where the browser has no WebGL. */
-  constructor(parent: HTMLElement, session: Session, camera: readonly number[] | null) {
-    this.#session = session;
-    this.#element = parent;
+  constructor(private readonly element: HTMLElement, private readonly session: Session, camera: readonly number[] | null) {
     this.#cameraFrom = camera;
     const canvas = document.createElement("canvas");
     // Asked here first, because three writes errors to the console where there is none.
@@ -86,8 +81,8 @@ export class SpaceView {
     this.canvas.tabIndex = 0;
     this.canvas.setAttribute("role", "application");
     this.canvas.setAttribute("aria-label", "The contact surface in x, y and orientation. Drag to look from elsewhere, drag the point to move the part.");
-    parent.append(this.canvas);
-    this.#axes = new SpaceAxes(parent);
+    element.append(this.canvas);
+    this.#axes = new SpaceAxes(element);
     this.#camera.up.set(0, 0, 1);
     this.#camera.add(this.#light);
     this.#light.position.set(0.4, 0.6, 1);
@@ -100,7 +95,7 @@ export class SpaceView {
       this.#moved = true;
       this.onCamera?.();
     });
-    new ResizeObserver(() => this.#resize()).observe(parent);
+    new ResizeObserver(() => this.#resize()).observe(element);
     session.store.subscribe((changed, state) => this.#update(changed, state));
     this.#resize();
   }
@@ -160,7 +155,7 @@ export class SpaceView {
       const z = theta * this.#scale.perRadian;
       if (["configuration", "space", "hidden"].some((k) => changed.has(k as Key))) {
         this.#marks.setTheta(z);
-        this.#marks.setSlice(currentSlice(this.#session), state.hidden, z, this.#scale);
+        this.#marks.setSlice(currentSlice(this.session), state.hidden, z, this.#scale);
         this.#cut.constant = z;
       }
       const colour = state.where.classification ? POINT_COLOURS[state.where.classification] : "#888888";
@@ -174,12 +169,15 @@ export class SpaceView {
     if (changed.has("colouring")) this.#surface?.paint(state.colouring);
     if (changed.has("hidden") || changed.has("cut") || changed.has("space")) this.#surface?.show(state.hidden, state.cut);
     if (changed.has("theme")) this.applyTheme();
-    if (changed.has("dragging") && !state.dragging) this.#setCoarse(false);
+    if (changed.has("dragging") && !state.dragging) {
+      this.#setCoarse(false);
+      this.#draw();
+    }
     this.#draw();
   }
 
   #open(state: Readonly<State>): void {
-    const kernel = this.#session.planar;
+    const kernel = this.session.planar;
     if (kernel === this.#kernel) return;
     const first = !this.#kernel || !state.editing;
     this.#kernel = kernel;
@@ -201,7 +199,7 @@ export class SpaceView {
 
   /** Not while something is dragged, which is to follow the hand. */
   #buildLater(): void {
-    this.#rebuild = setTimeout(() => (this.#session.state.dragging ? this.#buildLater() : this.#build()), SETTLED);
+    this.#rebuild = setTimeout(() => (this.session.state.dragging ? this.#buildLater() : this.#build()), SETTLED);
   }
 
   #measure(kernel: PlanarKernel): void {
@@ -220,7 +218,7 @@ export class SpaceView {
     const low: [number, number] = [lo[0] - margin, lo[1] - margin];
     const high: [number, number] = [hi[0] + margin, hi[1] + margin];
     this.#marks.setExtent(high[0] - low[0], high[1] - low[1]);
-    this.#axes.build(low, high, [window.lo, window.hi], this.#scale, this.#session.scene.unit);
+    this.#axes.build(low, high, [window.lo, window.hi], this.#scale, this.session.scene.unit);
     this.#camera.near = extent / 100;
     this.#camera.far = extent * 40;
     this.#camera.updateProjectionMatrix();
@@ -231,10 +229,10 @@ export class SpaceView {
 
   /** Bounds of what is drawn, and the point of the moving part whose places these are. */
   #drawnBounds(kernel: PlanarKernel): { lo: [number, number]; hi: [number, number]; arm: Place } {
-    const { pair, state } = this.#session;
-    if (!pair || !swings(this.#session, kernel)) return { ...kernel.bounds(), arm: { x: 0, y: 0 } };
+    const { pair, state } = this.session;
+    if (!pair || !swings(this.session, kernel)) return { ...kernel.bounds(), arm: { x: 0, y: 0 } };
     const [fixed, moving] = [boxOf(state.parts[pair.fixed]?.loops ?? []), boxOf(state.parts[pair.moving]?.loops ?? [])];
-    const arm = { x: (moving.x0 + moving.x1) / 2, y: (moving.y0 + moving.y1) / 2 };
+    const arm = centerOf(moving);
     // In contact, the part's middle is no farther from the other than its corners are from its middle.
     const reach = Math.hypot(moving.x1 - moving.x0, moving.y1 - moving.y0) / 2;
     return { lo: [fixed.x0 - reach - arm.x, fixed.y0 - reach - arm.y], hi: [fixed.x1 + reach - arm.x, fixed.y1 + reach - arm.y], arm };
@@ -242,13 +240,13 @@ export class SpaceView {
 
   #build(): void {
     const kernel = this.#kernel;
-    const { state } = this.#session;
+    const { state } = this.session;
     if (!kernel || !isPlanar(state.configuration)) return;
     this.#surface?.dispose();
     const { lo, fullTurn } = kernel.window;
     const theta = fullTurn ? wrap(state.configuration.theta, lo) : state.configuration.theta;
     const surface = new Surface(kernel, this.#scale, theta, state.colouring, { window: this.#window, cut: this.#cut }, (left) => {
-      this.#surface?.show(this.#session.state.hidden, this.#session.state.cut);
+      this.#surface?.show(this.session.state.hidden, this.session.state.cut);
       this.onProgress?.(left);
       this.#draw();
     });
@@ -258,14 +256,14 @@ export class SpaceView {
   }
 
   applyTheme(): void {
-    const dark = getComputedStyle(this.#element).colorScheme.includes("dark");
+    const dark = getComputedStyle(this.element).colorScheme.includes("dark");
     this.#marks.theme(dark);
     this.#axes.theme(dark);
     this.#draw();
   }
 
   #resize(): void {
-    const { clientWidth: width, clientHeight: height } = this.#element;
+    const { clientWidth: width, clientHeight: height } = this.element;
     if (width === 0 || height === 0) return;
     this.#renderer.setSize(width, height);
     this.#camera.aspect = width / height;
@@ -280,7 +278,12 @@ export class SpaceView {
       this.#frame = null;
       if (this.#pace.isBusy()) this.#draw();
       else {
-        if (this.#pace.isSlow && this.#session.state.dragging) this.#setCoarse(true);
+        const next = this.#pace.next(this.session.state.dragging, this.#coarse);
+        // What is dragged in this view is seen nowhere else so well.
+        const waits = next === "none" && this.#controls.enabled;
+        this.element.classList.toggle("waits", waits);
+        if (waits) return;
+        this.#setCoarse(next !== "fine");
         this.drawNow();
       }
     });
@@ -295,13 +298,13 @@ export class SpaceView {
   drawNow(): void {
     if (this.#frame !== null) cancelAnimationFrame(this.#frame);
     this.#frame = null;
-    if (!this.#kernel || this.#element.clientHeight === 0) return;
+    if (!this.#kernel || this.element.clientHeight === 0) return;
     const distance = this.#camera.position.distanceTo(this.#marks.point.position);
-    const perPixel = (2 * distance * Math.tan((FIELD_OF_VIEW * Math.PI) / 360)) / Math.max(1, this.#element.clientHeight);
+    const perPixel = (2 * distance * Math.tan((FIELD_OF_VIEW * Math.PI) / 360)) / Math.max(1, this.element.clientHeight);
     this.#marks.scalePoint(perPixel);
     this.#renderer.render(this.#scene, this.#camera);
     this.#pace.sent();
-    this.#axes.place(this.#camera, this.#element.clientWidth, this.#element.clientHeight);
+    this.#axes.place(this.#camera, this.element.clientWidth, this.element.clientHeight);
   }
 
   #ndc(event: { clientX: number; clientY: number }): Vector2 {
@@ -326,15 +329,15 @@ export class SpaceView {
   /** Registered before the controls, which are to leave the point alone. */
   #listen(): void {
     let drag: { pointer: number; dx: number; dy: number; y: number; goal: DragGoal } | null = null;
-    const { store } = this.#session;
+    const { store } = this.session;
     this.canvas.addEventListener(
       "pointerdown",
       (event) => {
-        const c = this.#session.state.configuration;
+        const c = this.session.state.configuration;
         if (event.button !== 0 || !this.#isOnPoint(event) || !isPlanar(c)) return;
         const p = this.#marks.point.position;
         const at = this.#onPlane(event, p.z);
-        drag = { pointer: event.pointerId, dx: at ? p.x - at.x : 0, dy: at ? p.y - at.y : 0, y: event.clientY, goal: new DragGoal(c, () => this.#session.turnedBy) };
+        drag = { pointer: event.pointerId, dx: at ? p.x - at.x : 0, dy: at ? p.y - at.y : 0, y: event.clientY, goal: new DragGoal(c, () => this.session.turnedBy) };
         this.#controls.enabled = false;
         this.canvas.setPointerCapture(event.pointerId);
         store.change({ dragging: true, playing: false });
@@ -351,11 +354,11 @@ export class SpaceView {
         drag.goal.turn(-((event.clientY - drag.y) * Math.PI) / PIXELS_PER_HALF_TURN);
       } else {
         const at = this.#onPlane(event, this.#marks.point.position.z);
-        const now = this.#session.state.configuration;
+        const now = this.session.state.configuration;
         const aside = swing(this.#scale, isPlanar(now) ? now.theta : 0);
         if (at) drag.goal.moveTo(at.x + drag.dx + this.#scale.center[0] - aside.x, at.y + drag.dy + this.#scale.center[1] - aside.y);
       }
-      this.#session.aim(drag.goal.placement);
+      this.session.aim(drag.goal.placement);
       drag.y = event.clientY;
     });
     const up = (event: PointerEvent) => {
@@ -372,7 +375,7 @@ export class SpaceView {
         if (!drag && !event.shiftKey && !this.#isOnPoint(event)) return;
         event.preventDefault();
         event.stopImmediatePropagation();
-        this.#session.turn(wheelAngle(event));
+        this.session.turn(wheelAngle(event));
       },
       { capture: true, passive: false },
     );

@@ -5,8 +5,7 @@
 
 import type { ScenePart } from "../scene.js";
 import { html, set, svg } from "./dom.js";
-import { intervalsOf, isAt, middleOf } from "./heights.js";
-import type { Interval } from "./heights.js";
+import { intervalsOf, isAt, middleOf, type Interval } from "./heights.js";
 import { length, short } from "./numbers.js";
 import { boxOf } from "./outline.js";
 import type { Session } from "./session.js";
@@ -27,24 +26,20 @@ const LEAST = 3;
 
 export class StackView {
   readonly svg = svg("svg", { class: "stack-view", role: "img" });
-  readonly #session: Session;
-  readonly #element: HTMLElement;
   readonly #choice = html("select", { "aria-label": "Height" });
   /** The lowest first. */
   #intervals: Interval[] = [];
 
-  constructor(parent: HTMLElement, session: Session) {
-    this.#element = parent;
-    this.#session = session;
-    parent.append(this.#choice, this.svg);
+  constructor(private readonly element: HTMLElement, private readonly session: Session) {
+    element.append(this.#choice, this.svg);
     this.#choice.addEventListener("change", () => this.#choose(this.#intervals[this.#intervals.length - this.#choice.selectedIndex] ?? null));
     this.svg.addEventListener("click", (event) => this.#click(event));
     new ResizeObserver(() => this.#draw()).observe(this.svg);
     session.store.subscribe((changed, { parts }) => {
       if (changed.has("parts")) {
         this.#intervals = intervalsOf(parts);
-        parent.hidden = this.#intervals.length === 0;
-        parent.style.setProperty("--columns", String(parts.length));
+        element.hidden = this.#intervals.length === 0;
+        element.style.setProperty("--columns", String(parts.length));
       }
       if ((["parts", "height", "scene"] as Key[]).some((k) => changed.has(k))) this.#list();
       if ((["parts", "height", "scene", "pair"] as Key[]).some((k) => changed.has(k))) this.#draw();
@@ -52,16 +47,16 @@ export class StackView {
   }
 
   get isShown(): boolean {
-    return !this.#element.hidden;
+    return !this.element.hidden;
   }
 
   #choose(interval: Interval | null): void {
-    this.#session.store.change({ height: interval && middleOf(interval) });
+    this.session.store.change({ height: interval && middleOf(interval) });
   }
 
   /** Where in the stack the chosen interval is; -1 if all heights are shown. */
   get #chosen(): number {
-    const at = this.#session.interval;
+    const at = this.session.interval;
     return at ? this.#intervals.findIndex(([lo]) => lo === at[0]) : -1;
   }
 
@@ -84,7 +79,7 @@ export class StackView {
   }
 
   #text([lo, hi]: Interval): string {
-    return `${short(lo)} to ${length(hi, this.#session.scene.unit)}`;
+    return `${short(lo)} to ${length(hi, this.session.scene.unit)}`;
   }
 
   /** Where the lowest height is, and pixels per unit upwards. */
@@ -100,7 +95,7 @@ export class StackView {
   #draw(): void {
     const { rem, width, height, lo, hi, y0, scale } = this.#plot();
     if (this.#intervals.length === 0 || width === 0 || !(scale > 0)) return;
-    const { state, pair, scene, interval } = this.#session;
+    const { state, pair, scene, interval } = this.session;
     const y = (z: number) => y0 - (z - lo) * scale;
     const left = NUMBERS * rem;
     const column = (width - left) / state.parts.length;
@@ -139,7 +134,7 @@ export class StackView {
 
   /** Of heights too near to each other for their numbers, the lower is written; the ends of the stack always are. */
   #numbers(ends: readonly number[], y: (z: number) => number, left: number, rem: number): SVGElement[] {
-    const { unit } = this.#session.scene;
+    const { unit } = this.session.scene;
     const written: number[] = [];
     for (const z of [ends[0], ends.at(-1), ...ends]) {
       if (z !== undefined && written.every((other) => Math.abs(y(other) - y(z)) >= LINE * rem)) written.push(z);

@@ -1,10 +1,11 @@
 /** What the page shows, in one place. Views are told once a frame which of it has changed. */
 
 import type { Classification, Configuration, Kernel, Touch } from "../kernel/api.js";
-import type { Scene, ScenePart } from "../scene.js";
+import type { Place, Scene, ScenePart, View } from "../scene.js";
 import type { Colouring } from "./colours.js";
 import type { Placement } from "./placement.js";
 import type { PlayableRecord } from "./playable.js";
+import type { CheckRow } from "./workshop.js";
 
 export type Theme = "auto" | "light" | "dark";
 
@@ -35,6 +36,19 @@ export interface Message {
   cancel?: () => void;
 }
 
+/** A state that is kept beside the present one. */
+export interface Kept {
+  pair: number;
+  parts: readonly ScenePart[];
+  placements: readonly Placement[];
+  checked: readonly CheckRow[];
+  /** Values of parameters by name. */
+  parameters: ReadonlyMap<string, number>;
+  verdict: string;
+  /** The features that touch, or those that are nearest, in words. */
+  decides: string;
+}
+
 export interface State {
   scene: Scene;
   /** The parts as the model gives them or as they are edited. */
@@ -54,6 +68,12 @@ export interface State {
   hidden: ReadonlySet<number>;
   /** Whether the surface is cut away above the current orientation. */
   cut: boolean;
+  /** What is large. */
+  view: View;
+  /** What the verdict rests on: names of features of the pair's parts; they are lit in the drawing. */
+  reason: { fixed: readonly string[]; moving: readonly string[] };
+  /** In which order an assembly comes apart, in a sentence; null where that is not known. */
+  order: string | null;
   /** Whether something is being dragged. */
   dragging: boolean;
   record: PlayableRecord | null;
@@ -77,6 +97,12 @@ export interface State {
   /** Whether the parts are shown elsewhere than they are drawn, where they overlap. */
   displaced: boolean;
   message: Message | null;
+  /** The requirements as they are measured of this model; null as long as they are not. */
+  checked: readonly CheckRow[] | null;
+  /** The point of a part, in its frame, whose path through the record is drawn; `next` is the one that is clicked next. */
+  traced: { part: number; at: Place } | "next" | null;
+  /** The state A, with which the present one is compared. */
+  compared: Kept | null;
 }
 
 export type Key = keyof State;

@@ -3,8 +3,7 @@
  * between their rims pixels of the background would be seen.
  */
 
-import { MeshLambertMaterial } from "three";
-import type { Plane } from "three";
+import { MeshLambertMaterial, type Plane } from "three";
 
 /** Edges that belong to one triangle only, as pairs of indices. */
 export function rimOf(indices: ArrayLike<number>): number[] {

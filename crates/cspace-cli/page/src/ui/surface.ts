@@ -3,12 +3,10 @@
  * orientation first, so that the page can be used meanwhile.
  */
 
-import { Group } from "three";
-import type { Box3 } from "three";
+import { Group, type Box3 } from "three";
 import type { PlanarKernel } from "../kernel/api.js";
 import { TURN } from "./placement.js";
-import { RegionMesh } from "./region-mesh.js";
-import type { Clip } from "./region-mesh.js";
+import { RegionMesh, type Clip } from "./region-mesh.js";
 import type { Colouring } from "./colours.js";
 import type { SpaceScale } from "./space-scale.js";
 

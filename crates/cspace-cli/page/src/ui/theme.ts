@@ -14,8 +14,20 @@ export function onSystemTheme(changed: () => void): void {
   matchMedia(DARK).addEventListener("change", changed);
 }
 
-/** As the system has it, now and later. */
-export function followTheme(): void {
-  applyTheme("auto");
-  onSystemTheme(() => applyTheme("auto"));
+/** The theme that comes after another when it is changed. */
+export const NEXT_THEME = { auto: "dark", dark: "light", light: "auto" } as const;
+
+/** What the button of a theme says. */
+export const themeText = (theme: Theme): string => `Theme: ${theme}`;
+
+/** As the system has it, now and later, until another is asked for by what is returned, which gives its name. */
+export function followTheme(): () => Theme {
+  let theme: Theme = "auto";
+  applyTheme(theme);
+  onSystemTheme(() => applyTheme(theme));
+  return () => {
+    theme = NEXT_THEME[theme];
+    applyTheme(theme);
+    return theme;
+  };
 }

@@ -14,33 +14,28 @@ const MARGIN = 12;
 const UNLIMITED = 100;
 
 export class ThetaSlider {
-  readonly #session: Session;
   readonly #slider: HTMLElement;
-  readonly #canvas: HTMLCanvasElement;
-  readonly #text: HTMLElement;
-  readonly #name: HTMLElement;
+  readonly #canvas = html("canvas", { "aria-hidden": "true" });
+  readonly #text = html("output", { class: "band-text" });
+  readonly #name = html("span", { class: "theta-name" }, "θ");
   readonly #bands: HTMLButtonElement[];
 
-  constructor(parent: HTMLElement, session: Session) {
-    this.#session = session;
-    this.#canvas = html("canvas", { "aria-hidden": "true" });
+  constructor(parent: HTMLElement, private readonly session: Session) {
     this.#slider = html("div", { class: "theta-slider", role: "slider", tabindex: 0, "aria-label": "Orientation" }, this.#canvas);
-    this.#text = html("output", { class: "band-text" });
-    this.#name = html("span", { class: "theta-name" }, "θ");
     const step = (text: string, label: string, by: 1 | -1) => button(text, () => session.stepBand(by), { "aria-label": label, title: label });
     this.#bands = [step("◀", "Previous band (Page Down)", -1), step("▶", "Next band (Page Up)", 1)];
     parent.append(this.#name, ...this.#bands.slice(0, 1), this.#slider, ...this.#bands.slice(1), this.#text);
     this.#listen();
     new ResizeObserver(() => this.#draw()).observe(this.#slider);
     session.store.subscribe((changed) => {
-      if ((["configuration", "space", "theme", "pair"] as Key[]).some((k) => changed.has(k))) this.#draw();
+      if ((["configuration", "space", "theme", "pair", "view"] as Key[]).some((k) => changed.has(k))) this.#draw();
     });
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.#draw());
   }
 
   /** What can be chosen from, and whether it goes round. */
   #range(): { lo: number; hi: number; round: boolean; value: number; angle: boolean } | null {
-    const { planar, pair, state } = this.#session;
+    const { planar, pair, state } = this.session;
     const c = state.configuration;
     if (!isPlanar(c) || !pair) return null;
     if (planar) {
@@ -57,18 +52,18 @@ export class ThetaSlider {
   }
 
   #set(value: number): void {
-    const { planar, pair } = this.#session;
+    const { planar, pair } = this.session;
     const range = this.#range();
     if (!range || !pair) return;
     const held = range.round ? value : Math.min(range.hi, Math.max(range.lo, value));
     if (planar) {
       // The turn in which the orientation is now is kept.
-      const c = this.#session.aimed;
-      if (isPlanar(c)) this.#session.setTheta(range.round ? c.theta + wrap(held - c.theta, -Math.PI) : held);
+      const c = this.session.aimed;
+      if (isPlanar(c)) this.session.setTheta(range.round ? c.theta + wrap(held - c.theta, -Math.PI) : held);
       return;
     }
     const at = lowerPair(pair)?.at(held);
-    if (at) this.#session.aim(at);
+    if (at) this.session.aim(at);
   }
 
   #listen(): void {
@@ -79,7 +74,7 @@ export class ThetaSlider {
       const f = (event.clientX - r.left - MARGIN) / Math.max(1, r.width - 2 * MARGIN);
       this.#set(range.lo + Math.min(1, Math.max(0, f)) * (range.hi - range.lo));
     };
-    const { store } = this.#session;
+    const { store } = this.session;
     this.#slider.addEventListener("pointerdown", (event) => {
       if (event.button !== 0) return;
       this.#slider.setPointerCapture(event.pointerId);
@@ -107,9 +102,11 @@ export class ThetaSlider {
 
   #draw(): void {
     const range = this.#range();
-    const { planar, scene, state } = this.#session;
+    const { planar, scene, state } = this.session;
     this.#slider.parentElement?.classList.toggle("unused", !range);
-    for (const b of this.#bands) b.hidden = !planar;
+    // What changes between orientations is told beside the surface.
+    const banded = planar && state.view === "space";
+    for (const b of this.#bands) b.hidden = !banded;
     if (!range) return;
     const span = range.hi - range.lo;
     const text = range.angle ? degrees(range.value, 6, span) : length(within(range.value, span), scene.unit);
@@ -129,7 +126,7 @@ export class ThetaSlider {
     const middle = height / 2;
     g.fillStyle = colour("--line");
     g.fillRect(MARGIN, middle - 2, width - 2 * MARGIN, 4);
-    if (planar && isPlanar(state.configuration)) {
+    if (banded && isPlanar(state.configuration)) {
       const index = planar.bandAt(state.configuration.theta);
       const band = planar.bands[index];
       g.fillStyle = colour("--accent");

@@ -4,14 +4,13 @@ import { button, html, say, set } from "./dom.js";
 import { isAxes } from "./mechanism.js";
 import { failure } from "./message.js";
 import { short } from "./numbers.js";
-import { pathAt, stateAt } from "./playable.js";
-import type { PlayableRecord } from "./playable.js";
+import { pathAt, stateAt, stretches, timeAt, type PlayableRecord } from "./playable.js";
 import { RecordError } from "./record-json.js";
 import { readRecord, readRecordText } from "./records.js";
 import type { Session } from "./session.js";
 import type { Key } from "./state.js";
-import { UNCHANGED } from "./workshop.js";
-import type { Edits } from "./workshop.js";
+import { atOnce, numbers } from "./strip-plot.js";
+import { UNCHANGED, type Edits } from "./workshop.js";
 
 const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4] as const;
 /** So many ticks can be told apart by screen readers and pointers; more are drawn without a name. */
@@ -24,33 +23,31 @@ interface Origin {
 }
 
 export class Timeline {
-  readonly #session: Session;
-  readonly #element: HTMLElement;
   readonly #play: HTMLButtonElement;
-  readonly #scrub: HTMLInputElement;
-  readonly #ticks: HTMLElement;
-  readonly #text: HTMLElement;
-  readonly #choice: HTMLSelectElement;
+  readonly #scrub = html("input", { type: "range", min: 0, max: 1, step: "any", value: 0, "aria-label": "Time" });
+  readonly #ticks = html("div", { class: "ticks" });
+  readonly #track: HTMLElement;
+  readonly #loop: HTMLButtonElement;
+  readonly #trace: HTMLButtonElement;
+  readonly #text = html("output", { class: "time-text" });
+  readonly #choice = html("select", { "aria-label": "Record" });
   readonly #again = html("button", { type: "button", hidden: "" });
-  readonly #edits: () => Edits;
   readonly #records = new Map<PlayableRecord, Origin>();
   #last = 0;
 
-  constructor(parent: HTMLElement, session: Session, edits: () => Edits) {
-    this.#session = session;
-    this.#edits = edits;
-    this.#element = parent;
+  constructor(private readonly element: HTMLElement, private readonly session: Session, private readonly edits: () => Edits) {
     const { store } = session;
-    this.#choice = html("select", { "aria-label": "Record" });
     this.#choice.addEventListener("change", () => {
       this.#choose([...this.#records.keys()][this.#choice.selectedIndex] ?? null);
       this.showStart();
     });
     this.#play = button("▶", () => this.toggle(), { class: "play" });
-    this.#scrub = html("input", { type: "range", min: 0, max: 1, step: "any", value: 0, "aria-label": "Time" });
     this.#scrub.addEventListener("input", () => store.change({ time: Number(this.#scrub.value), playing: false }));
-    this.#ticks = html("div", { class: "ticks" });
-    this.#text = html("output", { class: "time-text" });
+    this.#track = html("div", { class: "track" }, this.#ticks, this.#scrub);
+    const pressed = (b: HTMLElement, on: boolean) => set(b, { "aria-pressed": String(on) });
+    this.#loop = button("Loop", () => pressed(this.#loop, !this.#isLoop), { class: "small", "aria-pressed": "false", title: "Play again and again" });
+    this.#trace = button("Trace", () => store.change({ traced: store.state.traced ? null : "next" }), { class: "small", title: "Then click a point of a part: the path that it takes is drawn" });
+    store.subscribe((changed, { traced }) => changed.has("traced") && pressed(this.#trace, traced !== null));
     const speed = html("select", { "aria-label": "Speed" }, ...SPEEDS.map((s) => html("option", { value: s }, `${s}×`)));
     speed.value = "1";
     speed.addEventListener("change", () => store.change({ speed: Number(speed.value) }));
@@ -63,7 +60,7 @@ export class Timeline {
       again().catch((error: unknown) => store.change({ message: failure(error) }));
     });
     const close = button("✕", () => this.#choose(null), { "aria-label": "Close the record" });
-    parent.append(this.#choice, this.#play, html("div", { class: "track" }, this.#ticks, this.#scrub), speed, this.#text, this.#again, close);
+    element.append(this.#choice, this.#play, this.#track, speed, this.#loop, this.#trace, this.#text, this.#again, close);
     for (const { name, record } of session.scene.records) this.#keep(() => readRecord(name, record));
     store.subscribe((changed) => this.#update(changed));
     const all = [...this.#records.keys()];
@@ -73,8 +70,8 @@ export class Timeline {
 
   /** Places the parts as the chosen record begins. */
   showStart(): void {
-    const { record, time } = this.#session.state;
-    if (record && !this.#session.state.stale) this.#show(record, time);
+    const { record, time } = this.session.state;
+    if (record && !this.session.state.stale) this.#show(record, time);
   }
 
   /** Reads a file that the user opens or drops. */
@@ -91,18 +88,18 @@ export class Timeline {
   /** Plays what the page has computed itself, of a model with edits. */
   play(name: string, text: string, edits: Edits, again: Origin["again"]): void {
     this.#open(() => readRecordText(name, text), edits, again);
-    const { record, stale } = this.#session.state;
-    if (record?.name === name) this.#session.store.change({ playing: !stale });
+    const { record, stale } = this.session.state;
+    if (record?.name === name) this.session.store.change({ playing: !stale });
   }
 
   /** Takes a record that the user opens, and plays it; one that is none of this model is told and forgotten. */
-  #open(read: () => PlayableRecord, edits = this.#edits(), again: Origin["again"] = null): void {
+  #open(read: () => PlayableRecord, edits = this.edits(), again: Origin["again"] = null): void {
     this.#told(() => {
       const record = read();
       const problem = this.#mismatch(record);
       if (problem) throw new RecordError(problem);
       this.#records.set(record, { edits: JSON.stringify(edits), again });
-      this.#session.store.change({ message: null });
+      this.session.store.change({ message: null });
       this.#choose(record);
       this.showStart();
     });
@@ -123,25 +120,25 @@ export class Timeline {
       take();
     } catch (error) {
       if (!(error instanceof RecordError)) throw error;
-      this.#session.store.change({ message: failure(error) });
+      this.session.store.change({ message: failure(error) });
     }
   }
 
   #choose(record: PlayableRecord | null): void {
     const problem = record ? this.#mismatch(record) : null;
     if (problem) {
-      this.#session.store.change({ message: failure(problem) });
+      this.session.store.change({ message: failure(problem) });
       // The list shows the record that is played, and not the one that cannot be.
-      this.#drawRecord(this.#session.state.record);
+      this.#drawRecord(this.session.state.record);
       return;
     }
-    this.#session.store.change({ record, time: 0, playing: false });
+    this.session.store.change({ record, time: 0, playing: false });
     this.#compare();
   }
 
   /** Why a record is none of this model. */
   #mismatch(record: PlayableRecord): string | null {
-    const { scene, pair } = this.#session;
+    const { scene, pair } = this.session;
     if (record.kind === "simulation") {
       const names = new Set(scene.parts.map((p) => p.name));
       const unknown = record.parts.find((p) => !names.has(p));
@@ -152,14 +149,18 @@ export class Timeline {
     return `${record.name}: the path is in ${isAxes(first) ? "(u, v)" : "(x, y, theta)"}, which the selected pair is not: select the pair it was planned for first`;
   }
 
+  get #isLoop(): boolean {
+    return this.#loop.ariaPressed === "true";
+  }
+
   toggle(): void {
-    const { record, playing, time, stale } = this.#session.state;
+    const { record, playing, time, stale } = this.session.state;
     if (!record || stale) return;
-    this.#session.store.change({ playing: !playing, time: !playing && time >= record.duration ? 0 : time });
+    this.session.store.change({ playing: !playing, time: !playing && time >= record.duration ? 0 : time });
   }
 
   #update(changed: ReadonlySet<Key>): void {
-    const { state } = this.#session;
+    const { state } = this.session;
     const record = state.record;
     // A way belongs to the pair it was planned for.
     if (changed.has("pair") && !changed.has("record") && record?.kind === "plan") this.#choose(null);
@@ -174,10 +175,10 @@ export class Timeline {
         requestAnimationFrame((now) => this.#tick(now));
       }
     }
-    if (!record || this.#session.state.stale || !(["time", "record", "stale"] as Key[]).some((k) => changed.has(k))) return;
+    if (!record || this.session.state.stale || !(["time", "record", "stale"] as Key[]).some((k) => changed.has(k))) return;
     this.#scrub.value = String(state.time);
     const told = [...record.ticks].reverse().find((t) => t.t <= state.time);
-    const [now, end] = record.kind === "plan" ? [state.time, record.duration] : [stateAt(record, state.time)?.time ?? 0, record.steps.at(-1)?.time ?? 0];
+    const [now, end] = [timeAt(record, state.time), timeAt(record, record.duration)];
     say(this.#text, `${short(Number(now.toFixed(3)))} s of ${short(end)} s · ${told ? told.text : record.summary}`);
     set(this.#text, { title: this.#text.textContent });
     if (changed.has("time")) this.#show(record, state.time);
@@ -185,13 +186,13 @@ export class Timeline {
 
   /** A record of the model before it was changed is not played: parts go elsewhere. The same edits are the same model. */
   #compare(): void {
-    const { record, playing } = this.#session.state;
-    const stale = record !== null && this.#records.get(record)?.edits !== JSON.stringify(this.#edits());
-    this.#session.store.change({ stale, playing: playing && !stale });
+    const { record, playing } = this.session.state;
+    const stale = record !== null && this.#records.get(record)?.edits !== JSON.stringify(this.edits());
+    this.session.store.change({ stale, playing: playing && !stale });
   }
 
   #drawStale(): void {
-    const { record, stale } = this.#session.state;
+    const { record, stale } = this.session.state;
     document.body.classList.toggle("stale", stale);
     this.#play.disabled = this.#scrub.disabled = stale;
     this.#again.hidden = !stale || !(record && this.#records.get(record)?.again);
@@ -200,11 +201,12 @@ export class Timeline {
   }
 
   #tick(now: number): void {
-    const { state, store } = this.#session;
+    const { state, store } = this.session;
     if (!state.playing || !state.record) return;
-    const time = state.time + ((now - this.#last) / 1000) * state.speed;
+    let time = state.time + ((now - this.#last) / 1000) * state.speed;
     this.#last = now;
-    const over = time >= state.record.duration;
+    if (this.#isLoop && time >= state.record.duration) time = 0;
+    const over = time >= state.record.duration && !this.#isLoop;
     store.change({ time: Math.min(time, state.record.duration), playing: !over });
     if (!over) requestAnimationFrame((next) => this.#tick(next));
   }
@@ -212,24 +214,28 @@ export class Timeline {
   #show(record: PlayableRecord, time: number): void {
     if (record.kind === "simulation") {
       const state = stateAt(record, time);
-      if (state) this.#session.setPlacements(this.#session.placementsBy(state.parts));
+      if (state) this.session.setPlacements(this.session.placementsBy(state.parts));
       return;
     }
     const c = pathAt(record, time);
-    if (c) this.#session.setConfiguration(c);
+    if (c) this.session.setConfiguration(c);
   }
 
   #drawRecord(record: PlayableRecord | null): void {
-    this.#element.hidden = !record;
+    this.element.hidden = !record;
     this.#choice.replaceChildren(...[...this.#records.keys()].map((r) => html("option", {}, r.name)));
     if (!record) return;
     this.#choice.selectedIndex = [...this.#records.keys()].indexOf(record);
     set(this.#scrub, { max: record.duration });
+    this.#track.querySelector(".time-axis")?.remove();
+    this.#track.append(numbers(record));
     const named = record.ticks.length <= NAMED_TICKS;
+    const share = (t: number) => (record.duration > 0 ? (100 * t) / record.duration : 0);
     this.#ticks.replaceChildren(
+      ...stretches(record).map(([from, to]) => html("b", { title: atOnce, style: `left: ${share(from)}%; width: ${share(to - from)}%` })),
       ...record.ticks.map(({ t, text }) => {
         const tick = html("i", named ? { title: text } : {});
-        tick.style.left = `${record.duration > 0 ? (100 * t) / record.duration : 0}%`;
+        tick.style.left = `${share(t)}%`;
         return tick;
       }),
     );

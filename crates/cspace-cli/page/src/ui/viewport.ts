@@ -4,7 +4,8 @@ import type { Place } from "../scene.js";
 import { set, svg } from "./dom.js";
 import { gridLines, heldScale, lineText } from "./grid.js";
 import { angleStep, lengthStep } from "./numbers.js";
-import type { Box } from "./outline.js";
+import { centerOf, type Box } from "./outline.js";
+import { turnBetween } from "./placement.js";
 
 /** What is dragged, if not the plane itself. */
 export interface Drag {
@@ -20,6 +21,8 @@ export interface ViewportOptions {
   fit(): void;
   /** Begins to drag what is at a place; null if there is nothing. */
   grab(at: Place, event: PointerEvent): Drag | null;
+  /** Of a part that one finger has taken: turns it, as a second finger goes about the first; null where the two zoom. */
+  twist?(event: PointerEvent): ((by: number, about: Place) => void) | null;
   /** Whether the wheel is for what is at a place, and not to zoom. */
   wheel?(at: Place, event: WheelEvent): boolean;
   /** Whether a double click is for what is at a place, and not to show everything. */
@@ -48,18 +51,17 @@ const ZOOM_PER_PIXEL = 1.0015;
 export class Viewport {
   readonly svg: SVGSVGElement;
   /** In the model's unit. */
-  readonly world: SVGGElement;
+  readonly world = svg("g");
   /** In pixels, on top. */
-  readonly overlay: SVGGElement;
+  readonly overlay = svg("g");
   /** What depends on the scale is drawn again. */
   onView: (() => void) | null = null;
   unit = "";
   kinds: [AxisKind, AxisKind] = ["length", "length"];
 
-  readonly #options: ViewportOptions;
-  readonly #grid: SVGPathElement;
-  readonly #axes: SVGPathElement;
-  readonly #numbers: SVGGElement;
+  readonly #grid = svg("path", { class: "grid" });
+  readonly #axes = svg("path", { class: "grid-axes" });
+  readonly #numbers = svg("g", { class: "grid-numbers", "aria-hidden": "true" });
   #center: Place = { x: 0, y: 0 };
   /** Pixels per unit. */
   #scale: Place = { x: 1, y: 1 };
@@ -70,15 +72,10 @@ export class Viewport {
   readonly #pointers = new Map<number, { x: number; y: number }>();
   #drag: Drag | null = null;
   #dragPointer = -1;
+  #twist: ((by: number, about: Place) => void) | null = null;
 
-  constructor(parent: HTMLElement, options: ViewportOptions) {
-    this.#options = options;
+  constructor(parent: HTMLElement, private readonly options: ViewportOptions) {
     this.svg = svg("svg", { class: "viewport", role: "application", "aria-label": options.label, tabindex: 0 });
-    this.#grid = svg("path", { class: "grid" });
-    this.#axes = svg("path", { class: "grid-axes" });
-    this.world = svg("g");
-    this.#numbers = svg("g", { class: "grid-numbers" });
-    this.overlay = svg("g");
     this.svg.append(this.#grid, this.#axes, this.world, this.#numbers, this.overlay);
     parent.append(this.svg);
     this.#listen();
@@ -102,10 +99,7 @@ export class Viewport {
   }
 
   toScreen(p: Place): Place {
-    return {
-      x: this.#width / 2 + (p.x - this.#center.x) * this.#scale.x,
-      y: this.#height / 2 - (p.y - this.#center.y) * this.#scale.y,
-    };
+    return { x: this.#width / 2 + (p.x - this.#center.x) * this.#scale.x, y: this.#height / 2 - (p.y - this.#center.y) * this.#scale.y };
   }
 
   toWorld(client: { clientX: number; clientY: number }): Place {
@@ -125,8 +119,8 @@ export class Viewport {
     const x = this.#width / (w * (1 + 2 * margin));
     const y = this.#height / (h * (1 + 2 * margin));
     const least = Math.min(x, y);
-    this.#center = { x: (box.x0 + box.x1) / 2, y: (box.y0 + box.y1) / 2 };
-    this.#scale = this.#options.uniform ? { x: least, y: least } : { x, y };
+    this.#center = centerOf(box);
+    this.#scale = this.options.uniform ? { x: least, y: least } : { x, y };
     this.#draw();
   }
 
@@ -144,7 +138,7 @@ export class Viewport {
     if (!this.#fitted) return factor;
     const { x, y } = extentOf(this.#fitted.box);
     // One extent for both axes where they have one scale.
-    const [w, h] = this.#options.uniform ? [Math.max(x, y), Math.max(x, y)] : [x, y];
+    const [w, h] = this.options.uniform ? [Math.max(x, y), Math.max(x, y)] : [x, y];
     const by = [
       heldScale(this.#scale.x * factor, w, this.#center.x) / this.#scale.x,
       heldScale(this.#scale.y * factor, h, this.#center.y) / this.#scale.y,
@@ -179,7 +173,7 @@ export class Viewport {
     const box = this.box;
     const steps = [this.kinds[0] === "angle" ? angleStep : lengthStep, this.kinds[1] === "angle" ? angleStep : lengthStep] as const;
     const dx = steps[0](GRID_PIXELS / this.#scale.x);
-    const dy = this.#options.uniform ? dx : steps[1](GRID_PIXELS / this.#scale.y);
+    const dy = this.options.uniform ? dx : steps[1](GRID_PIXELS / this.#scale.y);
     const lines: string[] = [];
     const numbers: SVGElement[] = [];
     const rem = parseFloat(getComputedStyle(document.documentElement).fontSize);
@@ -214,9 +208,11 @@ export class Viewport {
       if (event.button !== 0 && event.button !== 1) return;
       element.setPointerCapture(event.pointerId);
       this.#pointers.set(event.pointerId, { x: event.clientX, y: event.clientY });
-      if (this.#pointers.size > 1) this.#endDrag();
-      else if (event.button === 0) {
-        this.#drag = this.#options.grab(this.toWorld(event), event);
+      if (this.#pointers.size > 1) {
+        this.#twist = (this.#drag && this.options.twist?.(event)) || null;
+        this.#endDrag();
+      } else if (event.button === 0) {
+        this.#drag = this.options.grab(this.toWorld(event), event);
         this.#dragPointer = event.pointerId;
       }
     });
@@ -232,6 +228,12 @@ export class Viewport {
       if (other) {
         const was = Math.hypot(before.x - other.x, before.y - other.y);
         const is = Math.hypot(event.clientX - other.x, event.clientY - other.y);
+        if (this.#twist) {
+          const by = turnBetween({ x: before.x - other.x, y: other.y - before.y }, { x: event.clientX - other.x, y: other.y - event.clientY });
+          this.#twist(by, this.toWorld({ clientX: other.x, clientY: other.y }));
+          this.#pointers.set(event.pointerId, { x: event.clientX, y: event.clientY });
+          return;
+        }
         const middle = { clientX: (event.clientX + other.x) / 2, clientY: (event.clientY + other.y) / 2 };
         if (was > 0 && is > 0) this.zoom(is / was, this.toWorld(middle));
         this.#pan((event.clientX - before.x) / 2, (event.clientY - before.y) / 2);
@@ -242,6 +244,7 @@ export class Viewport {
     });
     const up = (event: PointerEvent) => {
       this.#pointers.delete(event.pointerId);
+      this.#twist = null;
       if (event.pointerId === this.#dragPointer) this.#endDrag();
     };
     element.addEventListener("pointerup", up);
@@ -252,13 +255,13 @@ export class Viewport {
         event.preventDefault();
         const at = this.toWorld(event);
         // The browser tells a pinch on a touch pad as a wheel with Ctrl.
-        if (!event.ctrlKey && this.#options.wheel?.(at, event)) return;
+        if (!event.ctrlKey && this.options.wheel?.(at, event)) return;
         this.zoom(ZOOM_PER_PIXEL ** -wheelPixels(event), at);
       },
       { passive: false },
     );
     element.addEventListener("dblclick", (event) => {
-      if (!this.#options.double?.(this.toWorld(event))) this.#options.fit();
+      if (!this.options.double?.(this.toWorld(event))) this.options.fit();
     });
   }
 

@@ -14,30 +14,26 @@ interface Plan {
 }
 
 export class Ways {
-  readonly #session: Session;
-  readonly #workshop: Workshop;
-  readonly #timeline: Timeline;
-  readonly #edits: () => Edits;
 
-  constructor(session: Session, workshop: Workshop, timeline: Timeline, edits: () => Edits) {
-    this.#session = session;
-    this.#workshop = workshop;
-    this.#timeline = timeline;
-    this.#edits = edits;
-  }
+  constructor(
+    private readonly session: Session,
+    private readonly workshop: Workshop,
+    private readonly timeline: Timeline,
+    private readonly edits: () => Edits,
+  ) {}
 
   /** Plays a way from here, or from elsewhere, to where the part is free for good, the widest if that is wanted; or says why there is none. */
-  async out(widest: boolean, from = this.#session.state.configuration): Promise<void> {
-    const { state } = this.#session;
-    const edits = this.#edits();
-    const text = await this.#busy("Looking for a way out …", "plan", () => this.#workshop.plan(state.pair, edits, numbersOf(from), [], widest));
+  async out(widest: boolean, from = this.session.state.configuration): Promise<void> {
+    const { state } = this.session;
+    const edits = this.edits();
+    const text = await this.#busy("Looking for a way out …", "plan", () => this.workshop.plan(state.pair, edits, numbersOf(from), [], widest));
     const plan = JSON.parse(text) as Plan;
-    if (plan.verdict === "path") this.#timeline.play(widest ? "widest way out" : "way out", text, edits, () => this.out(widest, from));
-    else this.#session.store.change({ message: answer(this.#why(plan)) });
+    if (plan.verdict === "path") this.timeline.play(widest ? "widest way out" : "way out", text, edits, () => this.out(widest, from));
+    else this.session.store.change({ message: answer(this.#why(plan)) });
   }
 
   #why({ verdict, enclosed }: Plan): string {
-    const { pair, kernel } = this.#session;
+    const { pair, kernel } = this.session;
     if (verdict === "from-blocked") return "The parts overlap here: there is no way out of an overlap.";
     if (!enclosed || !pair) return "No way out was found.";
     const [first, ...others] = enclosed.touching.map(([a, b]) => `${kernel?.words(a, false)} | ${kernel?.words(b, true)}`);
@@ -47,12 +43,19 @@ export class Ways {
 
   /** Plays the whole mechanism, as its drives move it. */
   async mechanism(): Promise<void> {
-    const edits = this.#edits();
-    const text = await this.#busy("Computing the motion of the mechanism …", "simulate", () => this.#workshop.simulate(edits));
-    this.#timeline.play("mechanism", text, edits, () => this.mechanism());
+    const edits = this.edits();
+    const text = await this.#busy("Computing the motion of the mechanism …", "simulate", () => this.workshop.simulate(edits));
+    this.timeline.play("mechanism", text, edits, () => this.mechanism());
+  }
+
+  /** Plays how the assembly comes apart. */
+  async apart(): Promise<void> {
+    const edits = this.edits();
+    const text = await this.#busy("Taking the parts apart …", "disassemble", () => this.workshop.disassemble(edits));
+    this.timeline.play("taken apart", text, edits, () => this.apart());
   }
 
   #busy(text: string, what: Question["what"], work: () => Promise<string>): Promise<string> {
-    return busy(this.#session.store, text, () => this.#workshop.cancel(what), 0, work);
+    return busy(this.session.store, text, () => this.workshop.cancel(what), 0, work);
   }
 }

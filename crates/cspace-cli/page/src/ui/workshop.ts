@@ -30,6 +30,8 @@ export interface EditAnswer {
 /** A requirement, measured, as `cspace check --json` prints it. */
 export interface CheckRow {
   name: string;
+  /** The parts that it is about, if these are two. */
+  pair?: [string, string];
   measure: string;
   value: number | boolean | null;
   dimension: "length" | "angle" | "time" | "number" | "truth";
@@ -39,6 +41,20 @@ export interface CheckRow {
   margin: number | null;
   failure?: string;
   undecided?: boolean;
+}
+
+/** What `cspace solve --so-that` asks for. */
+export interface Goal {
+  requirement: string;
+  relation: "equal" | "at-least" | "at-most";
+  value: number | boolean;
+}
+
+/** Where the number of free regions, or of those that are caged, changes: [regions, caged] on both sides, null where there is no space. */
+export interface RegionChange {
+  at: number;
+  below: [number, number] | null;
+  above: [number, number] | null;
 }
 
 /** A contact that is dragged: where a straight motion first meets it, one coordinate is to have a value. */
@@ -66,7 +82,10 @@ export type Question =
   | { what: "toml"; edits: string }
   | { what: "plan"; pair: number; edits: string; from: number[]; to: number[]; widest: boolean }
   | { what: "simulate"; edits: string }
+  | { what: "disassemble"; edits: string }
   | { what: "check"; edits: string }
+  | { what: "solve"; edits: string; question: string }
+  | { what: "regions"; pair: number; edits: string; parameter: string; range: readonly [number, number] }
   | { what: "contact"; pair: number; edits: string; contact: string }
   | { what: "drag"; edits: string; drag: MechanismDrag };
 
@@ -180,6 +199,11 @@ export class Workshop {
     return this.#ask({ what: "simulate", edits: JSON.stringify(edits) });
   }
 
+  /** What `cspace disassemble --json` prints. */
+  disassemble(edits: Edits): Promise<string> {
+    return this.#ask({ what: "disassemble", edits: JSON.stringify(edits) });
+  }
+
   async drag(edits: Edits, drag: MechanismDrag): Promise<Came> {
     return JSON.parse(await this.#ask({ what: "drag", edits: JSON.stringify(edits), drag })) as Came;
   }
@@ -187,6 +211,16 @@ export class Workshop {
   /** What `cspace check --json` prints. */
   async check(edits: Edits): Promise<CheckRow[]> {
     return JSON.parse(await this.#ask({ what: "check", edits: JSON.stringify(edits) })) as CheckRow[];
+  }
+
+  /** What `cspace solve --json` prints, for one parameter; the ranges in which it is so are left out where there are none. */
+  async solve(edits: Edits, parameter: string, [lo, hi]: readonly [number, number], goal: Goal): Promise<{ ranges?: [number, number][] }> {
+    const question = JSON.stringify({ vary: [{ parameter, lo, hi }], so_that: goal });
+    return JSON.parse(await this.#ask({ what: "solve", edits: JSON.stringify(edits), question })) as { ranges?: [number, number][] };
+  }
+
+  async regionChanges(pair: number, edits: Edits, parameter: string, range: readonly [number, number]): Promise<RegionChange[]> {
+    return JSON.parse(await this.#ask({ what: "regions", pair, edits: JSON.stringify(edits), parameter, range })) as RegionChange[];
   }
 
   /** The smallest change of parameters that puts a contact where it is dragged to, or why there is none. */

@@ -164,7 +164,7 @@ describe("a drawing on the page in a browser", { skip }, () => {
     try {
       await click(page, 25, 5);
       await click(page, 6, 5);
-      await page.click("::-p-xpath(//button[normalize-space()='Open'])");
+      await page.click("::-p-xpath(//button[normalize-space()='Show motion'])");
       await shows(page, "frame");
       assert.deepEqual(await page.evaluate(() => window.cspace.pair()), ["part 1", "part 2"]);
       // A disc of radius 2 beside the square, as drawn.
@@ -206,7 +206,7 @@ describe("a drawing on the page in a browser", { skip }, () => {
       await click(page, 25, 5);
       await click(page, 6, 5);
       assert.match(await command(page), /^cspace import frame\.dxf --pick /);
-      await page.click("::-p-xpath(//button[normalize-space()='Open'])");
+      await page.click("::-p-xpath(//button[normalize-space()='Show motion'])");
       await shows(page, "frame");
       assert.deepEqual(await page.evaluate(() => window.cspace.pair()), ["part 1", "part 2"]);
       assert.equal(await page.evaluate(() => window.cspace.classify({ x: 0, y: 0, theta: 0 })), "free");
