@@ -295,7 +295,7 @@ describe("the page in a browser", { skip }, () => {
   });
 
   it("saves pictures", async () => {
-    const page = await openModel("knee");
+    const page = await openModel("knee", [], "#view=space");
     const client = await page.createCDPSession();
     await client.send("Browser.setDownloadBehavior", { behavior: "allow", downloadPath: suite.folder });
     await press(page, "SVG");
