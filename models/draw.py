@@ -114,6 +114,7 @@ front, frame, driver and link, and wheel and pawl lie in layers of their own; pi
 for them.
 """,
     )
+    m.show("Can the pawl be lifted off the wheel?", ("ratchet", "pawl"))
     m.part("frame", "Stands still.", [("post and foot", frame)], '{ type = "fixed" }')
     m.part("driver", "On the frame's lower bearing.", [(f"eccentric, diameter {2 * disc:g}", driver)],
            '{ type = "revolute", center = [0, -100] }')
@@ -184,6 +185,7 @@ def gears():
 Each is drawn about its own axis. At the centre distance of 44, (x, y, theta) = (44, 0, 0), a tooth of the gear stands in the
 middle of a space of the pinion.
 """)
+    m.show("Can the gears be pulled apart?")
     m.world(friction=0.1, restitution=0.3)
     m.part("gear", "", [("12 teeth", gear_outline(12, 4.0, 25, 1.25, 0.1, 1.0, 0))], symmetry=12, keys=[STEEL])
     m.part("pinion", "", [("10 teeth", gear_outline(10, 4.0, 25, 1.25, 0.1, 1.0, 18))], symmetry=10, keys=[STEEL, placed(44, 0)])
@@ -198,6 +200,7 @@ def gears_on_shafts():
     m = Model("gears_on_shafts.toml", "gears on shafts", "A gear and a pinion, each turning on its shaft.\n" + GEARS + """
 Both are drawn where they work, the shafts 44 apart. The pinion turns by -12/10 of what the gear turns.
 """)
+    m.show("Do the gears turn, and with how much play?")
     m.part("gear", "", [("12 teeth", gear_outline(12, 4.0, 25, 1.25, 0.1, 1.0, 0))],
            '{ type = "revolute", center = [0, 0] }', 12)
     pinion = moved(gear_outline(10, 4.0, 25, 1.25, 0.1, 1.0, 18), 1, 44)
@@ -233,6 +236,7 @@ has a tooth in it: turned by u, it pushes the rack by 24 u.
 
 Both are drawn where they work, the rack in the middle of its travel: a tooth of the pinion points down into a gap of the rack.
 """)
+    m.show("How far does the pinion drive the rack?")
     m.part("pinion", "Axis at the origin.", [("12 teeth", gear_outline(teeth, module, pressure, dedendum, thinning, 1.0, -90))],
            '{ type = "revolute", center = [0, 0] }', teeth)
     m.part("rack", "", [(f"{count} teeth", rack)],
@@ -273,6 +277,7 @@ across, its stem 12.
 The cam has its axis at the origin and its dwell on top; the tappet has its origin where its axis meets the face, its stem
 up. At (x, y, theta) = (0, 34, 0) the tappet stands on the dwell; turned and shifted it may go anywhere about the cam.
 """)
+    m.show("Can the follower be lifted off the cam?")
     m.world(gravity=(0, -GRAVITY), friction=0.05, restitution=0.2)
     m.part("cam", "Axis at the origin, dwell to +y.", [("profile", cam)], keys=[
         "mass = 2 # with its shaft and flywheel", "inertia = 2000", "rate = [0, 0, 31.4]"])
@@ -302,6 +307,7 @@ all at once. The face is {2 * half:g} across, wide enough for the contact never 
 Drawn with the cam's dwell on top and the tappet 0.1 above it. The tappet can drop by {-low:g}, which is 0.9 more than it ever does:
 the cam stops it first.
 """)
+    m.show("How do cam and tappet move?")
     m.part("cam", "Axis at the origin, dwell to +y.", [("profile", cam_profile())], '{ type = "revolute", center = [0, 0] }')
     m.part("tappet", "Stem to +y.", [("outline", tappet)],
            f'{{ type = "prismatic", direction = [0, 1], range = [{low:g}, {high:g}] }}')
@@ -336,6 +342,7 @@ The plate slides to the left and its slot, {2 * half:g} wide, lifts the pin of {
 
 Drawn with the plate as far right as it works and the pin in the middle of the slot's left end.
 """)
+    m.show("How far does the plate lift the pin?")
     m.part("plate", "Slides to -x.", [("outline", plate), ("slot", slot)],
            f'{{ type = "prismatic", direction = [-1, 0], range = [-5, {length + 5:g}] }}')
     m.part("pin", "Slides to +y, with the rod that is to be lifted.", [(f"diameter {2 * pin:g}", circle(0, pin))],
@@ -400,6 +407,7 @@ by one tooth, {pitch:g} deg. Pallets and teeth have corners of R0.15.
 Both are drawn where they work, the anchor in the middle of its swing and a tooth about to drive it; {swing:g} deg to either side
 are possible.
 """)
+    m.show("Does the anchor let the wheel turn?")
     m.part("wheel", "Axis at the origin.", [(f"{teeth} teeth", wheel)], '{ type = "revolute", center = [0, 0] }', teeth)
     m.part("anchor", "Entry pallet on the left.", [("outline", anchor)],
            f'{{ type = "revolute", center = [0, {number(pivot.imag)}], range = ["-{swing:g}deg", "{swing:g}deg"] }}')
@@ -439,6 +447,7 @@ from being laid in turned over or end for end.
 
 Both parts have their origin in the axis of the round pin, or of the bore: (x, y, theta) = (0, 0, 0) is the plate in place.
 """)
+    m.show("Does the fixture hold the plate?")
     m.world(friction=0.05, restitution=0.3)
     m.part("fixture", "Four pins that stand apart; the ground plate below them is not in this plane.", [
         ("round pin, diameter 10", circle(0, 5.0)),
@@ -479,6 +488,7 @@ the lip, which it overlaps by 1.2: stiff parts cannot come apart, the beam has t
 
 Both are drawn engaged: at (x, y, theta) = (0, 0.05, 0) the hook is free, at (0, 0, 0) its flange touches the wall.
 """)
+    m.show("Can the hook leave the catch without bending?")
     lip, gap = LIP, 0.15
     right, barb = 3.7, 5.1
     top = lip - gap - (right - 3.9) * slope
@@ -522,6 +532,7 @@ The shank is 18 long, with an end chamfer 1.5 x 30 deg and a fillet R0.6 under t
 The block has its origin in the middle of the mouth, the peg in the middle of the collar's underside: (x, y, theta) = (0, 0, 0)
 is the seated peg, (0, 18, 0) the peg with its end in the mouth.
 """)
+    m.show("Can the peg be pulled out of the hole?")
     m.world(gravity=(0, -GRAVITY), friction=0.15, restitution=0.3)
     m.part("block", "40 x 32, corners R2.", [("section", block)], keys=[STEEL])
     m.part("peg", "Shank to -y.", [("outline", peg)], keys=[STEEL, placed(0.4, 24, 2)])
@@ -546,6 +557,7 @@ The lid lies on the block, with one end under a lip of the box and the other und
 right wall. The keeper is a piece of the box: what joins the two lies before and behind the section. Parts touch where they bear on
 each other, and are drawn so.
 """)
+    m.show("How does the box come apart?", ("box", "bolt"))
     m.world(gravity=(0, -GRAVITY), friction=0.15, restitution=0.3)
     m.part("box", "96 x 62.", [("section", box), ("keeper", keeper)], '{ type = "fixed" }')
     m.part("block", "60 x 34.", [("outline", block)], keys=[STEEL])
@@ -569,6 +581,7 @@ The clip has R12 inside and R20 outside and is open over 50 deg to +x; its lips 
 mouth of some 11, so the ball, with play of 2 all round, cannot leave: at every orientation its free space is in two pieces,
 inside and outside.
 """)
+    m.show("Can the ball leave the clip?")
     m.part("clip", "", [("outline", pen.closed())])
     m.part("ball", "", [("diameter 20", circle(0, 10.0))])
     return m
@@ -608,6 +621,7 @@ by an arc R{relief:.2f}, concentric with the wheel at half step, which lets the 
 Both are drawn at dwell: the pin points away from the wheel, the disc holds a locking arc. One turn of the driver steps the
 wheel by 60 deg the other way. The crank's arm lies below the wheel and is not in this plane, so disc and pin stand apart.
 """)
+    m.show("Does the driver step the wheel, and hold it between?")
     m.part("wheel", "", [("six slots, six locking arcs", wheel)], '{ type = "revolute", center = [0, 0] }', slots)
     m.part("driver", "", [("locking disc", driver), ("pin, diameter 8", circle(axis + crank, pin))],
            '{ type = "revolute", center = [60, 0] }')
@@ -659,6 +673,7 @@ out in front. Front is +x.
 The femur has its origin in the lowest point of the condyle, the tibia in the lowest point of the plateau: in extension they
 touch at (x, y, theta) = (0, 0, 0); in flexion the tibia turns clockwise, to about -110 deg.
 """)
+    m.show("Does the shape of the joint alone hold the tibia?")
     m.world(gravity=(0, -GRAVITY), friction=0.02)
     m.part("femur", "", [("outline", femur)], keys=[BONE])
     m.part("tibia", "", [("outline", tibia)], keys=[BONE])

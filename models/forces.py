@@ -24,6 +24,11 @@ def comment(text, indent=""):
 class Forces:
     """Adds to the text `out` of a model."""
 
+    def show(self, question, pair=None):
+        """What the page asks first, of which pair; the model's only one if none is given. Comes before the parts."""
+        of = f'pair = ["{pair[0]}", "{pair[1]}"], ' if pair else ""
+        self.out += f'show = {{ {of}question = "{question}" }}\n'
+
     def world(self, gravity=None, friction=None, restitution=None):
         """What goes for all parts. Comes before them."""
         pull = f"[{gravity[0]:g}, {gravity[1]:g}]" if gravity else None

@@ -65,6 +65,7 @@ of a pallet, and gives the anchor a push of {LIFT:g} deg twice in each swing, on
 pushes and losses are even, and no farther than {SWING:g} deg, where the anchor would strike its stops. The period is a little
 longer than that of small swings.
 """)
+    m.show("Does the anchor let the wheel turn?")
     m.world(gravity=(0, -GRAVITY), friction=0.1, restitution=0.2)
     m.part("wheel", "Brass, 1 thick and crossed out: the spokes are not drawn.", [(f"{ESCAPE} teeth", wheel)],
            revolute(0j), ESCAPE, ["mass = 0.02", "inertia = 22"])
@@ -94,6 +95,7 @@ the stem and the guide above presses it down, by {(preload - rate * (lift + gap)
 Drawn with the cam's dwell on top and the roller {gap:g} above it. To be seen: the roller comes down on the dwell, then on each turn of
 the cam falls along the straight flank to the base circle, {lift:g} below, and rises along the flank R60. Without friction it does not turn.
 """)
+    m.show("Does the cam alone hold the roller?", ("cam", "roller"))
     m.part("cam", "Axis at the origin, dwell to +y.", [("profile", cam_profile())], revolute(0j))
     m.part("roller", f"Diameter {2 * disc:g}.", [(f"diameter {2 * disc:g}", circle(1j * top, disc))])
     m.part("stem", "Up and down.", [("fork and stem", fork)],
@@ -147,6 +149,7 @@ Drawn with the claw drawn back. To be seen: at each turn the finger enters a hol
 where it always leaves it, so each turn moves the film by {PITCH:g}, and it stands still for more than half of the turn, which is when
 light falls through it. The shutter turns with the crank. The gate holds the film by friction, so it stays where the claw left it.
 """)
+    m.show("Can the claw go into a hole of the film and out again?", ("film", "claw"))
     m.part("film", "Slides down the gate.", pieces, '{ type = "prismatic", direction = [0, -1] }')
     m.part("crank", "The throw is drawn as a disc.", [("disc", circle(shaft, throw + 3.0))], revolute(shaft))
     m.part("claw", "Tip to -x.", [("outline", claw)])
@@ -168,6 +171,7 @@ flywheel, the pinion runs on, crosses the backlash, and strikes the teeth on the
 
 To be seen: twice a turn the contact goes to the other flank and back again, each time with impacts that die out.
 """)
+    m.show("Do the gears turn, and with how much play?")
     m.world(friction=0.05, restitution=0.3)
     m.part("gear", "", [("12 teeth", gear_outline(12, 4.0, 25, 1.25, 0.1, 1.0, 0))], revolute(0j), 12, ["density = 7.85e-5"])
     pinion = moved(gear_outline(10, 4.0, 25, 1.25, 0.1, 1.0, 18), 1, 44)
@@ -205,6 +209,7 @@ To be seen: the lead-in of the head meets the chamfer of the mouth, and the beam
 deflection; it slides through, and snaps out behind the lip. Pulled out, the retention face, 10 deg from square, bends it
 again, because there is no friction here: with more than tan 10 deg it would hold.
 """)
+    m.show("Can a stiff hook leave the catch?", ("catch", "hook"))
     m.part("catch", "The wall's face is the x axis, the mouth reaches from 0 to 3.9.", [("section", catch_section())], '{ type = "fixed" }')
     m.part("cover", "Its flange, up and down; at zero motion it lies on the wall.", [("flange", cover)],
            '{ type = "prismatic", direction = [0, 1] }')
@@ -240,6 +245,7 @@ four corners.
 To be seen: the slider falls on the guide, strikes it with one corner and the other, slides along it on one or two corners, and changes
 sides where the rod pushes it. Impacts follow each other ever faster until the slider lies on.
 """)
+    m.show("Can the slider leave its guide?", ("guide", "slider"))
     m.world(gravity=(0, -GRAVITY), friction=0.01, restitution=0.4)
     walls = [("below", rectangle(complex(80, -wall - 12), complex(540, -wall), "guide")),
              ("above", rectangle(complex(80, wall), complex(540, wall + 12), "guide"))]
@@ -292,6 +298,7 @@ first stroke of the beak, at 0.0779 s, the two are alike.
 To be seen: the sleeve, askew, holds by friction while the bird swings; as the bird comes in, the sleeve comes free and falls, the
 beak strikes the pole, and the sleeve holds again. It begins just after that, as the sleeve is about to hold.
 """)
+    m.show("Can the sleeve come off the pole?", ("pole", "sleeve"))
     m.world(gravity=(0, -GRAVITY), friction=0.3, restitution=0.0)
     m.part("pole", "", [("pole", rectangle(complex(-pole, -400), complex(pole, 60)))], '{ type = "fixed" }')
     m.part("sleeve", "In section: what joins its two sides lies before and behind the pole.", [("left side", left), ("right side and arm", right)],

@@ -35,6 +35,7 @@ axis, the face stands at 8 + 24 cos u while it is on the nose, up to u = {side:g
 
 The follower's origin is in the middle of its face: (x, y, theta) = (0, 32, 0) is the full lift.
 """)
+    m.show("Can the follower be lifted off the cam?")
     m.world(gravity=(0, -GRAVITY), friction=0.05, restitution=0.2)
     m.part("cam", "Axis at the origin, nose to +y.", [("profile", plate)], keys=[
         "mass = 2 # with its shaft and flywheel", "inertia = 2000", "rate = [0, 0, 31.4]"])
@@ -74,6 +75,7 @@ its middle, away from the side that bears.
 
 The block's origin is in its middle: at ({low + r:g}, 0, 0) it is at the inner end of the slot, at ({high - r:g}, 0, 0) at the outer.
 """)
+    m.show("Can the slider leave the slot?")
     m.world(gravity=(0, -GRAVITY), friction=0.15)
     m.part("crank", "Axis at the origin, slot to +x.", [("outline", bar), ("slot", slot), ("bore", circle(0, 8.0))],
            keys=[STEEL, "rate = [0, 0, 6]"])
@@ -137,6 +139,7 @@ withdraws, and goes back up.
 The frame's origin is in the middle of the window, the cam's in the middle of the triangle. The cam's orientation in
 the window settles its position, but for {play:g} to any side: ({placed(0).real:g}, {placed(0).imag:.6f}, 0) is one of them.
 """)
+    m.show("Can the cam leave the window of the frame?")
     shaft = corners[0] + placed(0)
     m.world(friction=0.1, restitution=0.2)
     m.part("frame", "Claw to +x.", loops, keys=[STEEL])

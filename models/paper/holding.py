@@ -20,6 +20,7 @@ which clears the fillet: with this corner in the angle it seats on bed and fence
 
 At (x, y, theta) = (0, 0, 0) the block is seated.
 """)
+    m.show("Does the angle hold the block?")
     m.world(gravity=(0, -GRAVITY), friction=0.15, restitution=0.3)
     m.part("angle", "The corner of the angle is the origin.", [("outline", seat)], keys=[STEEL])
     m.part("block", "The rounded corner is at the origin.", [("outline", block)], keys=[STEEL, placed(12, 6, -8)])
@@ -46,6 +47,7 @@ place and one direction. The pads are ground square, 12 x 12; the workpiece is a
 
 At (x, y, theta) = (0, 0, 0) the workpiece lies on all three pads.
 """)
+    m.show("Do the pads alone hold the workpiece?")
     m.world(friction=0.15, restitution=0.3)
     m.part("fixture", "Pads that stand apart; the plate that carries them is not in this plane.", pads, keys=["mass = 10", "inertia = 20000"])
     m.part("workpiece", "The located corner is the origin.", [("outline", work)], keys=[STEEL, placed(5, 8, 5)])
@@ -76,6 +78,7 @@ floor, and parts that do not bend cannot come apart. The sheet is cut with sharp
 
 At (x, y, theta) = (0, 0, 0) the tongue is snapped in, {gap:g} below the lip and as much above the floor.
 """)
+    m.show("Can the tongue leave the socket without bending?")
     m.part("socket", "The mouth's edge is the origin.", [("outline", socket)], keys=[STEEL])
     m.part("tongue", "Drawn snapped in.", [("outline", hook)], keys=["mass = 0.3 # with what it carries", "inertia = 60"])
     m.mounted("socket", [-6 - 20j, 14 - 20j], 1e6, 3000, text="The sheet of the socket, held at its foot.")

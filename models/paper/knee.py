@@ -95,6 +95,7 @@ The femur's origin is the lowest point of its condyle, the tibia's the lowest po
 (x, y, theta) = (0, 0, 0). Flexed by theta, up to 115 deg, the femur slides in the dish, and its arcs come to
 bear one after the other.
 """)
+    m.show("Does the shape of the joint alone hold the femur?")
     m.world(friction=0.02)
     m.part("tibia", "Plateau on top.", [("outline", tibia), ("marrow", canals[1])], keys=[BONE])
     m.part("femur", "Condyle below.", [("outline", femur), ("marrow", canals[0])], keys=[BONE, placed(0, 0.5, 5)])
@@ -134,6 +135,7 @@ lateral is -x.
 
 At (x, y, theta) = (0, 0, 0) both facets lie on the sides of the groove, which holds the patella sideways.
 """)
+    m.show("Does the groove alone hold the patella?")
     m.part("femur", "The sides of the groove meet in the origin.", [("section", femur)], keys=[BONE])
     m.part("patella", "The facets meet in the origin.", [("section", patella)], keys=[BONE, placed(-8, 8, 15)])
     m.mounted("femur", [-20 - 40j, 20 - 40j], 1e6, 1000, text="The femur is held.")

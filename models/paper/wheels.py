@@ -65,6 +65,7 @@ clockwise the face of a tooth meets the pawl's nose and locks. The pawl has a ta
 The pawl's frame has its origin in the pivot, which stands at (42, 56) from the wheel's axis: at (x, y, theta) = (42, 56, 0)
 the pawl is engaged, 0.05 clear of the face of the tooth at the top.
 """)
+    m.show("Can the pawl be lifted off the wheel?")
     m.world(restitution=0.3)
     m.part("ratchet", "Axis at the origin; tooth 1 has its tip on the x axis.", [(f"{teeth} teeth", ratchet)], symmetry=teeth,
            keys=["mass = 2 # with its drum", "inertia = 3000", "rate = [0, 0, 4]"])
@@ -120,6 +121,7 @@ that carries the pin is screwed on below; it is not in the plane of the wheel, s
 Each part has its origin in its axis. Wheel turned by w, driver by d: (x, y) is ({distance:.3f}, 0) turned by -w, theta = d - w. With
 w = 0 and d = 0 the disc holds a locking arc and the pin is on the far side.
 """)
+    m.show("Can the driver be taken off the wheel?")
     m.world(friction=0.1, restitution=0.2)
     m.part("wheel", "Slots at 45 deg to the axes.", [("four slots, four locking arcs", wheel)], symmetry=4, keys=[STEEL])
     m.part("driver", "Pin to +x.", [
@@ -175,6 +177,7 @@ The link is cut in the middle of the rollers: two hollow pins, bushes and roller
 the wheel. The link's origin is half way between the pins, which are on its x axis: at ({circle_of_pitch * math.cos(math.pi / teeth):.6f}, 0) turned by a right
 angle it is seated in two gaps.
 """)
+    m.show("Can the link be lifted off the wheel?")
     seat_at = circle_of_pitch * math.cos(math.pi / teeth)
     m.world(friction=0.1, restitution=0.2)
     m.part("wheel", "Axis at the origin; a tooth points to +x.", loops, symmetry=teeth, keys=[STEEL])

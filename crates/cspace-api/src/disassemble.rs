@@ -199,7 +199,8 @@ fn two_digits(x: f64, to: fn(f64) -> f64) -> shown::Number {
 }
 
 impl Disassembly {
-    fn of(model: &Mechanism, assembly: &Assembly, taken: TakenApart, seconds: f64) -> Self {
+    /// How the parts of an assembly of a model come apart, with the time that it took (s).
+    pub fn of(model: &Mechanism, assembly: &Assembly, taken: TakenApart, seconds: f64) -> Self {
         let names = |parts: &[usize]| names(model, parts);
         Self {
             verdict: match taken.outcome {

@@ -27,8 +27,8 @@ pub use file::{Host, Refused};
 pub use mechanism::{
     BodyError, Compute, Drive, DriveMotion, Dynamics, DynamicsError, DynamicsFault, DynamicsItem,
     JointEntry, Load, LoadKind, Mass, MassProperties, Mechanism, MechanismError, Member, PairEntry,
-    PairSurface, PartDynamics, PartEntry, PartPosition, PartVelocity, Spring, SpringKind,
-    compute_anew,
+    PairSurface, PartDynamics, PartEntry, PartPosition, PartVelocity, Show, Spring, SpringKind,
+    View, compute_anew,
 };
 pub use model::{Model, ModelError};
 pub use quantity::{Quantity, Shown};

@@ -4,12 +4,14 @@ use core::f64::consts::TAU;
 
 use cspace::{AxisMotion, Coordinates, Silent};
 use cspace_api::check::Requirement;
+use cspace_api::disassemble::Disassembly;
 use cspace_api::scene::{Edits, Opened, SceneSetting};
 use cspace_api::{plan, simulate};
 use cspace_design::{ContactGoal, Span};
 use cspace_model::model::{Coordinate, Template};
 use cspace_model::{DriveMotion, Mechanism};
 use cspace_motion::{Record, Report, Settings, Simulation, Way};
+use cspace_plan::assembly::Assembly;
 use cspace_plan::{Clearance, Planner, Wishes};
 use serde::{Deserialize, Serialize};
 use wasm_bindgen::prelude::*;
@@ -214,6 +216,20 @@ impl Model {
             (planner.scene(), unit),
             goal,
             answer,
+            seconds() - begin,
+        ))
+    }
+
+    /// Answer of `cspace disassemble --json` for the edited model: how its parts come apart.
+    pub fn disassemble(&self, edits: &str) -> Result<String, JsError> {
+        let model = (self.opened.edited(&parsed(edits)?).map_err(fault)?).mechanism;
+        let begin = seconds();
+        let assembly = Assembly::new(&model, None).map_err(fault)?;
+        let taken = assembly.take_apart_with(&Silent).map_err(fault)?;
+        json(&Disassembly::of(
+            &model,
+            &assembly,
+            taken,
             seconds() - begin,
         ))
     }

@@ -13,6 +13,7 @@ export interface Scene {
   parts: ScenePart[];
   joints: SceneJoint[];
   pairs: ScenePair[];
+  show: SceneShow;
   /** What `cspace plan` and `cspace simulate` print with `--json`, to be played. */
   records: SceneRecord[];
   /** The parameters and requirements of the model; null if it has none, or its text is not here. */
@@ -20,6 +21,19 @@ export interface Scene {
   /** What pairs are computed from again once parts are edited; null of a model that cannot be written. */
   source: SceneSource | null;
 }
+
+/** What is shown first, as the model's `show` says. */
+export interface SceneShow {
+  /** Index of the pair; null if the model names none, or it is not among the pairs here. */
+  pair: number | null;
+  /** The question that it answers. */
+  question: string | null;
+  /** What is large; null for the parts. */
+  view: View | null;
+}
+
+/** What is large: the parts; the slice or plane beside them; and the surface of the space, too. */
+export type View = "parts" | "slice" | "space";
 
 /** A model, and which of its pairs are shown, in the order of the scene. */
 export interface SceneSource {

@@ -42,6 +42,8 @@ function done(known: Known, asked: Request): string {
       return model.plan(asked.pair, asked.edits, Float64Array.from(asked.from), Float64Array.from(asked.to), asked.widest);
     case "simulate":
       return model.simulate(asked.edits);
+    case "disassemble":
+      return model.disassemble(asked.edits);
     case "check":
       return model.check(asked.edits);
     case "contact":

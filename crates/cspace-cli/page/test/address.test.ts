@@ -18,6 +18,7 @@ const scene = {
   parts: [part("block"), part(HOSTILE), part("peg")],
   joints: [],
   pairs: [pair(0, 2), pair(1, 2)],
+  show: { pair: null, question: null, view: null },
   records: [],
   design: null,
   source: null,
@@ -34,6 +35,7 @@ const state = (changes: Partial<State>): State =>
     colouring: "region",
     cut: false,
     height: null,
+    view: "parts",
     hidden: new Set(),
     ...changes,
   }) as State;
@@ -50,6 +52,15 @@ describe("addresses", () => {
     const text = writeAddress(state({ pair: 1 }), null);
     assert.equal(readAddress(text, scene).pair, 1);
     assert.ok(!text.slice(1).includes("#") && !text.includes("<"));
+  });
+
+  it("say what is large where it is not what the model says", () => {
+    assert.equal(readAddress(writeAddress(state({ view: "space" }), null), scene).view, "space");
+    const shown = { ...scene, show: { ...scene.show, view: "slice" as const } };
+    const text = (view: State["view"]) => writeAddress(state({ scene: shown, view }), null);
+    assert.equal(readAddress(text("parts"), shown).view, "parts");
+    assert.ok(!text("slice").includes("view") && !writeAddress(state({}), null).includes("view"));
+    assert.equal(readAddress("#view=plane", scene).view, undefined);
   });
 
   it("keep switches, and leave out what is as always", () => {

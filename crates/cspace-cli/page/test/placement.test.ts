@@ -64,6 +64,7 @@ describe("mechanisms", () => {
       { type: "prismatic", parts: [1, 3], at: { x: 0, y: 0 }, direction: { x: 1, y: 0 } },
     ],
     pairs: [{ fixed: 0, moving: 1, class: "general" } as Scene["pairs"][number], { fixed: 0, moving: 2, class: "fixed-axes" } as Scene["pairs"][number]],
+    show: { pair: null, question: null, view: null },
     records: [],
   design: null,
   source: null,

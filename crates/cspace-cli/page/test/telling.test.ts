@@ -23,7 +23,7 @@ const regions = [true, false].map((unbounded) => ({ unbounded, sample: [0, 0, 0]
 
 function told(classification: Told["where"]["classification"], region: number | null, patches: number[] = []): Told {
   const kernel = { patch: () => ({ region: 1 }) } as unknown as Kernel;
-  return { pair: { class: "general", regions, resolution: 1e-9 }, kernel, where: { classification, fits: false, region, touching: [], nearest: null, patches }, fixed: "lock", moving: "bolt", axes: null, others: false, whole: false, displaced: false, unit: "mm" };
+  return { pair: { class: "general", regions, resolution: 1e-9 }, kernel, where: { classification, fits: false, region, touching: [], nearest: null, patches }, fixed: "lock", moving: "bolt", axes: null, pushes: null, cage: [], others: false, whole: false, displaced: false, unit: "mm" };
 }
 
 describe("regions", () => {
@@ -37,15 +37,17 @@ describe("regions", () => {
 
 describe("the verdict", () => {
   it("is whether the part can leave", () => {
-    assert.equal(headline(told("free", 1)), "bolt is caged in pocket 1: it cannot leave.");
-    assert.equal(headline(told("free", 0)), "bolt is not caged: it can leave.");
-    assert.equal(headline(told("contact", null, [3])), "bolt touches lock, caged in pocket 1: it cannot leave.");
+    assert.equal(headline(told("free", 1)), "bolt cannot leave: caged by lock.");
+    assert.equal(headline(told("free", 0)), "bolt can leave.");
+    assert.equal(headline(told("contact", null, [3])), "bolt cannot leave: caged by lock.");
+    assert.equal(headline({ ...told("free", 1), cage: ["left lip", "right lip"] }), "bolt cannot leave: caged by left lip and right lip of lock.");
+    assert.equal(headline({ ...told("contact", 0), others: true }), "bolt can leave, the other parts left aside: it touches lock, and is not caged.");
     const blocked = told("blocked", null);
     const fits = { ...blocked, where: { ...blocked.where, fits: true } };
     assert.match(headline(blocked), /overlap/);
-    assert.equal(headline(fits), "bolt fits lock exactly: they touch, and have no room to move.");
+    assert.equal(headline(fits), "bolt fits lock without play.");
     const all = [told("free", 1), told("contact", null, [3]), told("free", 0), blocked, fits, told(null, null)];
-    assert.deepEqual(all.map(standing), ["caged", "caged", "leaves", "overlap", "caged", null]);
+    assert.deepEqual(all.map(standing), ["caged", "caged", "leaves", "overlap", null, null]);
   });
   it("says where parts on axes can go", () => {
     const on = (u: SceneRange, v: SceneRange): Told => ({
@@ -181,7 +183,7 @@ describe("names and rims", () => {
 describe("the first pair", () => {
   const square = (x: number) => ({ name: "", layers: [], feature_names: {}, motion: { type: "planar" as const }, loops: [[[x, 0], [x + 1, 0], [x + 1, 1]].map(([a = 0, b = 0]) => ({ x: a, y: b, bulge: 0 }))] });
   const pair = (more: object): ScenePair => ({ fixed: 0, moving: 1, class: "general", space: null, error: null, regions: [regions[0]!], ...more }) as unknown as ScenePair;
-  const scene = (pairs: ScenePair[]) => ({ parts: [square(0), square(1), square(9)], pairs }) as unknown as Scene;
+  const scene = (pairs: ScenePair[]) => ({ parts: [square(0), square(1), square(9)], pairs, show: { pair: null, question: null, view: null } }) as unknown as Scene;
   it("is one that matters", () => {
     const joint = pair({ class: "lower" });
     const apart = pair({ moving: 2 });
@@ -193,5 +195,6 @@ describe("the first pair", () => {
     assert.equal(firstPair(scene([joint, never])), 1);
     assert.equal(firstPair(scene([near, caged])), 1);
     assert.equal(firstPair(scene([near, near])), 0);
+    assert.equal(firstPair({ ...scene([caged, near, joint]), show: { pair: 2, question: null, view: null } }), 2);
   });
 });

@@ -38,6 +38,9 @@ pub struct Mechanism {
     pub joints: Vec<JointEntry>,
     /// The pairs to study.
     pub pairs: Vec<PairEntry>,
+    /// First view.
+    #[serde(default, skip_serializing_if = "Show::is_none")]
+    pub show: Show,
     /// Masses, gravity, drives and other dynamic data. Configuration spaces do not depend on them.
     #[serde(default, skip_serializing_if = "Dynamics::is_none")]
     pub dynamics: Dynamics,
@@ -84,6 +87,36 @@ pub struct PairEntry {
     pub moving: usize,
     /// The orientations of interest (lo, hi) in radians: lo < hi, at most a turn apart; `None` for all.
     pub window: Option<(f64, f64)>,
+}
+
+/// First view of a mechanism, and the question that it answers.
+#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize)]
+pub struct Show {
+    /// The fixed and the moving part of one of its pairs, by index; `None` for one that has something to tell.
+    pub pair: Option<(usize, usize)>,
+    /// The question that the pair answers, in one line.
+    pub question: Option<String>,
+    /// Part of the view that is large; `None` for the parts.
+    pub view: Option<View>,
+}
+
+/// Part of the view of a pair that is large.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum View {
+    /// The parts.
+    Parts,
+    /// The slice of the space, or its plane.
+    Slice,
+    /// The surface of the space.
+    Space,
+}
+
+impl Show {
+    /// Whether it says nothing.
+    pub fn is_none(&self) -> bool {
+        *self == Self::default()
+    }
 }
 
 impl PartEntry {

@@ -12,7 +12,7 @@ pub use dynamics::{
     Drive, DriveMotion, Dynamics, DynamicsError, DynamicsFault, DynamicsItem, Load, LoadKind, Mass,
     MassProperties, PairSurface, PartDynamics, PartPosition, PartVelocity, Spring, SpringKind,
 };
-pub use entries::{JointEntry, Mechanism, Member, PairEntry, PartEntry};
+pub use entries::{JointEntry, Mechanism, Member, PairEntry, PartEntry, Show, View};
 pub use relation::{Compute, compute_anew};
 
 #[cfg(test)]

@@ -32,6 +32,7 @@ mod relations;
 mod requirements;
 mod schema;
 mod scope;
+mod show;
 mod slips;
 mod slopes;
 mod snap;

@@ -15,6 +15,7 @@ use super::profile::with_profiles;
 use super::relations::{read_joints, read_pairs};
 use super::requirements::{Requirement, read_requirements};
 use super::scope::{Entry, Result};
+use super::show::read_show;
 use super::table::Table;
 use super::unmoved::unmoved;
 use super::value::Value;
@@ -37,6 +38,7 @@ pub(super) const FILE: Keys = Keys::new(
         Key::new("part", "parts", "The parts. In TOML each is a [[part]] table.").needed("[[part]]"),
         Key::new("joint", "[joint]", "Permanent connections of two parts. In TOML each is a [[joint]] table. Default: none."),
         Key::new("pair", "[pair]", "The pairs to compute. In TOML each is a [[pair]] table. Default: every two parts, the one listed first fixed."),
+        Key::new("show", "show", "What the page shows first, and the question that it answers. Default: a pair that has something to tell."),
         Key::new("$schema", "any_text", "Where an editor finds this schema; `cspace` does not look at it."),
         Key::new("gravity", "point", "The acceleration of what falls, [x, y] in unit/s². Default: none."),
         Key::new("friction", "not_negative", "The coefficient of friction of pairs that have none of their own. Default: 0."),
@@ -147,6 +149,7 @@ fn mechanism(root: &Table<'_>, files: &Files<'_>) -> Result<(Mechanism, Notes)> 
     if mechanism.pairs.is_empty() {
         mechanism.pairs = mechanism.every_two();
     }
+    mechanism.show = read_show(root, &mechanism)?;
     mechanism.dynamics = read_dynamics(root, &mechanism, &bodies, surfaces)?;
     let notes = Notes {
         on_all: setting.notes,

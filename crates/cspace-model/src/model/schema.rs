@@ -14,13 +14,14 @@ use super::placement::PLACE;
 use super::read::FILE;
 use super::relations::{JOINT, PAIR};
 use super::requirements::{AXES, PLANAR, REQUIREMENT};
+use super::show::SHOW;
 use super::tolerance::PARAMETER;
 
 /// Definitions of values, and what tables must obey that cannot be said key by key.
 const BESIDE: &str = include_str!("schema.json");
 
 /// The tables, by the names of their definitions; an entry and a loop may be written in several ways.
-const TABLES: [(&str, &[&Keys]); 15] = [
+const TABLES: [(&str, &[&Keys]); 16] = [
     ("coordinates", &[&PLANAR, &AXES]),
     ("drive", &[&DRIVE]),
     ("entry", &[&ENTRY, &COPIES]),
@@ -34,6 +35,7 @@ const TABLES: [(&str, &[&Keys]); 15] = [
     ("pattern", &[&PATTERN]),
     ("place", &[&PLACE]),
     ("requirement", &[&REQUIREMENT]),
+    ("show", &[&SHOW]),
     ("spring", &[&SPRING]),
     ("toleranced", &[&PARAMETER]),
 ];

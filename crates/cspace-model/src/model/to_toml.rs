@@ -6,6 +6,7 @@ use cspace::pair::Joint;
 use cspace::part::Loop;
 use cspace::{Axis, AxisMotion, Layer, Part};
 
+use super::show::show_to_toml;
 use super::toml_dynamics::{of_pair, of_part, of_whole, written_apart};
 use super::toml_values::{lines, list, point, text, two, vector};
 use crate::mechanism::{JointEntry, Mechanism, PairEntry, PartDynamics, PartEntry};
@@ -31,6 +32,7 @@ pub fn to_toml(mechanism: &Mechanism) -> String {
     let mut out = lines([
         ("name", Some(text(&mechanism.name))),
         ("unit", mechanism.unit.as_deref().map(text)),
+        ("show", show_to_toml(&mechanism.show, &name)),
     ]) + &of_whole(dynamics);
     for (i, entry) in mechanism.parts.iter().enumerate() {
         let own = dynamics.part(i);

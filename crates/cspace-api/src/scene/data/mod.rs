@@ -8,7 +8,7 @@ pub use joint::{JointKind, SceneJoint};
 pub use pair::{Counts, ScenePair, SceneRegion};
 pub use part::{SceneMotion, ScenePart};
 
-use cspace_model::{Mechanism, PairEntry};
+use cspace_model::{Mechanism, PairEntry, View};
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
@@ -37,6 +37,8 @@ pub struct Scene {
     pub joints: Vec<SceneJoint>,
     /// The pairs that are shown.
     pub pairs: Vec<ScenePair>,
+    /// First view.
+    pub show: SceneShow,
     /// Recordings to be played.
     pub records: Vec<SceneRecord>,
     /// The parameters and requirements of the model, if it has any and its text is here.
@@ -67,6 +69,30 @@ pub struct SceneRecord {
     pub record: Value,
 }
 
+/// First view, as the model's `show` says.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct SceneShow {
+    /// Index of the pair among those of the scene; `None` if the model names none, or it is not shown.
+    pub pair: Option<usize>,
+    /// The question that it answers.
+    pub question: Option<String>,
+    /// Part of the view that is large; `None` for the parts.
+    pub view: Option<View>,
+}
+
+impl SceneShow {
+    /// First view of a mechanism by these of its pairs.
+    fn of(model: &Mechanism, pairs: &[ScenePair]) -> Self {
+        let show = &model.show;
+        let shown = |p: &ScenePair| show.pair == Some((p.fixed, p.moving));
+        Self {
+            pair: pairs.iter().position(shown),
+            question: show.question.clone(),
+            view: show.view,
+        }
+    }
+}
+
 impl Scene {
     /// The scene of a mechanism, with these of its pairs.
     pub fn of(model: &Mechanism, pairs: Vec<ScenePair>, records: Vec<SceneRecord>) -> Self {
@@ -77,6 +103,7 @@ impl Scene {
             unit: model.unit.clone(),
             parts: model.parts.iter().map(ScenePart::of).collect(),
             joints: model.joints.iter().map(SceneJoint::of).collect(),
+            show: SceneShow::of(model, &pairs),
             pairs,
             records,
             design: None,

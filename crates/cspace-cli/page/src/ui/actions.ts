@@ -1,7 +1,11 @@
 /** What buttons and keys do. */
 
+import type { View } from "../scene.js";
+
 export interface Actions {
   toggleStop(): void;
+  /** Makes something large, or the parts again. */
+  toggleView(view: View): void;
   toggleCut(): void;
   toggleColouring(): void;
   toggleTheme(): void;
@@ -16,6 +20,7 @@ export interface Actions {
   toggleWhole(): void;
   wayOut(widest: boolean): void;
   playMechanism(): void;
+  takeApart(): void;
   openRecord(): void;
   saveSvg(): void;
   savePng(): void;

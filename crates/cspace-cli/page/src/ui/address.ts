@@ -1,7 +1,7 @@
 /** What of the state is in the address, behind the #: a copied address shows the same. */
 
 import type { Configuration } from "../kernel/api.js";
-import type { Scene } from "../scene.js";
+import type { Scene, View } from "../scene.js";
 import type { Colouring } from "./colours.js";
 import { isUsable } from "./numbers.js";
 import type { State, Theme } from "./state.js";
@@ -16,6 +16,7 @@ export interface Address {
   colouring?: Colouring;
   hidden?: number[];
   cut?: boolean;
+  view?: View;
   /** The height that is looked at alone. */
   height?: number | null;
   /** The camera of the 3-D view: azimuth, elevation (radians), distance in sizes of the space, and what it looks at in the same. */
@@ -28,6 +29,9 @@ export interface Address {
 
 /** What is as always is not in an address. */
 export const USUAL = { theme: "auto", stop: true, colouring: "region", cut: false, height: null } as const satisfies Address & { theme: Theme };
+
+/** What is large as the page is opened. */
+export const usualView = ({ show }: Pick<Scene, "show">): View => show.view ?? "parts";
 
 /** How many numbers describe a camera. */
 const CAMERA_NUMBERS = 6;
@@ -73,6 +77,8 @@ export function readAddress(fragment: string, scene: Scene): Address {
   if (colouring === "region" || colouring === "kind") address.colouring = colouring;
   const cut = query.get("cut");
   if (cut === "0" || cut === "1") address.cut = cut === "1";
+  const view = query.get("view");
+  if (view === "parts" || view === "slice" || view === "space") address.view = view;
   const height = number(query.get("height"));
   if (height !== undefined) address.height = height;
   const hidden = numbers(query.get("hidden"))?.filter((r) => Number.isInteger(r) && r >= 0);
@@ -96,6 +102,7 @@ export function writeAddress(state: Readonly<State>, camera: readonly number[] |
   if (state.stop !== USUAL.stop) query.set("stop", "0");
   if (state.colouring !== USUAL.colouring) query.set("colours", state.colouring);
   if (state.cut) query.set("cut", "1");
+  if (state.view !== usualView(state.scene)) query.set("view", state.view);
   if (state.height !== USUAL.height) query.set("height", String(state.height));
   if (state.hidden.size > 0) query.set("hidden", [...state.hidden].join());
   if (camera) query.set("camera", camera.map((n) => Number(n.toPrecision(4))).join());

@@ -1,6 +1,7 @@
 /** What `cspace disassemble` prints, as a motion of all parts: step by step, and what has left goes on out of the way of what comes later. */
 
 import type { Configuration } from "../kernel/api.js";
+import type { Scene } from "../scene.js";
 import { distance, onLeg } from "./legs.js";
 import { IDENTITY, compose, type Placement } from "./placement.js";
 import type { PlayableRecord, Sample, Tick } from "./playable.js";
@@ -33,6 +34,21 @@ export function readAssembly(name: string, record: Json): PlayableRecord {
   steps.forEach((step, i) => played.play(step, i + 1));
   const summary = `${verdict}, ${steps.length} ${steps.length === 1 ? "step" : "steps"}`;
   return { kind: "simulation", name, duration: played.time, ticks: played.ticks, summary, parts, steps: played.samples };
+}
+
+/** In which order it comes apart, in a sentence; none where that is not known. */
+export function orderOf(record: Json): string | null {
+  const steps = Array.isArray(record["steps"]) ? (record["steps"] as { kind: string; moving: string[] }[]) : [];
+  if (record["verdict"] === "locked") return "All of it together does not come apart: it is locked.";
+  if (record["verdict"] !== "apart" || steps.length === 0) return null;
+  const told = steps.map(({ kind, moving }) => `${moving.join(" with ")}${kind === "leaves" ? "" : " aside"}`);
+  return `All of it comes apart: first ${told.join(", then ")}.`;
+}
+
+/** Whether a mechanism is an assembly of free parts, which may come apart. */
+export function isAssembly({ parts, joints }: Pick<Scene, "parts" | "joints">): boolean {
+  const free = parts.filter(({ motion }) => motion.type === "planar").length;
+  return parts.length > 2 && joints.length === 0 && free > 0 && parts.every(({ motion }) => motion.type === "planar" || motion.type === "fixed");
 }
 
 function readStep(name: string, step: unknown, place: string, known: readonly string[]): Step {

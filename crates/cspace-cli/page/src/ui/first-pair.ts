@@ -1,10 +1,11 @@
-/** The pair that is shown first: one that has something to tell. */
+/** The pair that is shown first: that of the model's `show`, or one that has something to tell. */
 
 import type { Scene, ScenePair } from "../scene.js";
 import { boxOf } from "./outline.js";
 
-/** The first of those that matter most; joints have the least to show. */
+/** The model's; otherwise the first of those that matter most: joints have the least to show. */
 export function firstPair(scene: Scene): number {
+  if (scene.show.pair !== null) return scene.show.pair;
   let best = 0;
   let most = -Infinity;
   scene.pairs.forEach((pair, i) => {

@@ -2,7 +2,9 @@
 
 import type { Scene } from "../scene.js";
 import type { Actions } from "./actions.js";
-import { USUAL, readAddress, writeAddress } from "./address.js";
+import { USUAL, readAddress, usualView, writeAddress } from "./address.js";
+import type { Address } from "./address.js";
+import { isAssembly, orderOf } from "./assembly-record.js";
 import { byId, download, fileName, say } from "./dom.js";
 import { ContactHand } from "./contact-hand.js";
 import { DesignPanel } from "./design-panel.js";
@@ -25,11 +27,13 @@ import { PlaneView } from "./plane-view.js";
 import { Readout } from "./readout.js";
 import { pageFile, savedAddress } from "./save-page.js";
 import { pageInterface } from "./script.js";
+import type { Json } from "./record-json.js";
 import { isServed, servedPair } from "./server.js";
 import { Session } from "./session.js";
 import { SliceView } from "./slice-view.js";
 import { SpaceView } from "./space-view.js";
 import type { Key } from "./state.js";
+import { cagedIn } from "./verdict.js";
 import { StackView } from "./stack-view.js";
 import { VerdictView } from "./verdict-view.js";
 import { applyTheme, onSystemTheme } from "./theme.js";
@@ -72,13 +76,10 @@ export function openPage({ scene, isOpened }: Shown, worker: string): Promise<vo
   const stackView = new StackView(byId("stack"), session);
   const sliceView = new SliceView(byId("slice"), session, contacts);
   const planeView = new PlaneView(byId("plane"), session, contacts);
-  const spaceView = openSpaceView(session, address.camera ?? null);
-  new VerdictView(byId("verdict"), session);
+  const space = new LazySpace(session, address);
+  new VerdictView(byId("answer"), session);
   new Legend(byId("legend"), session, (region) => {
-    // What is around a pocket would hide it.
-    const others = session.pair?.regions.map((_, i) => i).filter((i) => i !== region) ?? [];
-    if (session.planar) store.change({ hidden: new Set(others) });
-    spaceView?.fitRegion(region);
+    space.showAlone(region);
     sliceView.fitRegion(region);
     planeView.fitRegion(region);
   });
@@ -99,8 +100,8 @@ export function openPage({ scene, isOpened }: Shown, worker: string): Promise<vo
     const parts = [partsView.viewport.svg, ...(stackView.isShown ? [stackView.svg] : [])];
     if (pair?.class === "fixed-axes") return [...parts, planeView.viewport.svg];
     if (!session.planar) return parts;
-    spaceView?.drawNow();
-    return [...parts, ...(spaceView ? [spaceView.canvas] : []), sliceView.viewport.svg];
+    space.view?.drawNow();
+    return [...parts, ...(space.view && store.state.view === "space" ? [space.view.canvas] : []), sliceView.viewport.svg];
   };
   const made = () => picture(panes(), getComputedStyle(byId("left")).backgroundColor, scene.name);
   const openFile = async (file: File) => {
@@ -115,6 +116,7 @@ export function openPage({ scene, isOpened }: Shown, worker: string): Promise<vo
   };
   const actions: Actions = {
     toggleStop: () => store.change({ stop: !store.state.stop }),
+    toggleView: (view) => store.change({ view: store.state.view === view ? "parts" : view }),
     toggleCut: () => store.change({ cut: !store.state.cut }),
     toggleColouring: () => store.change({ colouring: store.state.colouring === "kind" ? "region" : "kind" }),
     toggleTheme: () => store.change({ theme: ({ auto: "dark", dark: "light", light: "auto" } as const)[store.state.theme] }),
@@ -123,7 +125,7 @@ export function openPage({ scene, isOpened }: Shown, worker: string): Promise<vo
     fit: () => {
       if (store.state.hidden.size > 0) store.change({ hidden: new Set() });
       partsView.fit();
-      spaceView?.lookFromTheFront();
+      space.view?.lookFromTheFront();
       sliceView.fit();
       planeView.fit();
     },
@@ -135,6 +137,7 @@ export function openPage({ scene, isOpened }: Shown, worker: string): Promise<vo
     toggleWhole: () => store.change({ whole: !store.state.whole, held: null }),
     wayOut: (widest) => void ways?.out(widest).catch(failed),
     playMechanism: () => void ways?.mechanism().catch(failed),
+    takeApart: () => void ways?.apart().catch(failed),
     openRecord: () => chooseFile(".toml,.dxf,.svg,.json,.gz,application/json", (file) => void openFile(file).catch(failed)),
     saveSvg: () => download(fileName(scene.name, "svg"), svgFile(made())),
     savePng: () => void pngFile(made()).then((blob) => download(fileName(scene.name, "png"), blob), failed),
@@ -157,27 +160,31 @@ export function openPage({ scene, isOpened }: Shown, worker: string): Promise<vo
   listenToDrops((file) => void openFile(file).catch(failed));
 
   store.subscribe((changed, state) => {
-    if (changed.has("theme")) spaceView?.applyTheme();
-    if ((["space", "pair"] as Key[]).some((k) => changed.has(k))) showPanes(session, spaceView !== null);
+    if (changed.has("theme")) space.view?.applyTheme();
+    if ((["space", "pair", "view"] as Key[]).some((k) => changed.has(k))) {
+      space.open();
+      showPanes(session, space.view !== null);
+    }
+    if (changed.has("parts") && state.order !== null) store.change({ order: null });
     if (changed.has("outdated")) document.body.classList.toggle("outdated", state.outdated);
     if (changed.has("message")) showMessage(state.message, () => store.change({ message: null }));
   });
-  onSystemTheme(() => spaceView?.applyTheme());
-  const addressNow = () => writeAddress(store.state, spaceView?.camera ?? null, edits());
+  onSystemTheme(() => space.view?.applyTheme());
+  const addressNow = () => writeAddress(store.state, space.camera, edits());
   const restore = async (changes: Edits) => {
     if (editor && JSON.stringify(changes) !== JSON.stringify(edits())) await editor.restore(changes).then(() => editor.markSaved(), failed);
   };
-  keepAddress(session, spaceView, addressNow, restore);
+  keepAddress(session, space, addressNow, restore);
 
   let ready: Promise<void> = Promise.resolve();
   const begin = (done: Promise<void>) => {
     ready = done.then(async () => {
       store.flush();
-      if (spaceView) {
-        spaceView.drawNow();
-        await Promise.race([spaceView.built, new Promise((resolve) => setTimeout(resolve, READY_DELAY))]);
-        spaceView.drawNow();
-      }
+      const { view } = space;
+      if (!view) return;
+      view.drawNow();
+      await Promise.race([view.built, new Promise((resolve) => setTimeout(resolve, READY_DELAY))]);
+      view.drawNow();
     });
     return ready;
   };
@@ -185,39 +192,83 @@ export function openPage({ scene, isOpened }: Shown, worker: string): Promise<vo
     if (address.edits) await restore(address.edits);
     if (editor) keepDraft(byId("side"), session, editor);
     await session.select(store.state.pair, address.configuration ?? null);
+    // What is edited may come apart in another order: it is told of the model as it is opened.
+    const { parts } = store.state;
+    const tellOrder = (text: string) => parts === store.state.parts && store.change({ order: orderOf(JSON.parse(text) as Json) });
+    if (isAssembly(scene)) workshop?.disassemble(edits()).then(tellOrder, () => {});
+    // Parts that are not where they are drawn are shown whole before the surface is built.
+    partsView.fit();
   };
   if (address.warning !== undefined) store.change({ message: answer(address.warning) });
   if (session.pair) void begin(opened()).then(() => {
-      if (!address.configuration) timeline.showStart();
+      if (address.configuration) return;
+      timeline.showStart();
       partsView.fit();
-      sliceView.fit();
     });
   else store.change({ space: { state: "none", reason: "The model has no pairs.", error: false } });
   window.cspace = pageInterface(session, () => ready, (pair) => begin(select(pair)));
   return ready;
 }
 
-function openSpaceView(session: Session, camera: readonly number[] | null): SpaceView | null {
-  const building = byId("building");
-  try {
-    const view = new SpaceView(byId("space"), session, camera);
-    view.onProgress = (left) => {
-      building.hidden = left === 0;
-      if (left > 0) say(building, `${left} patches left to draw`);
-    };
-    return view;
-  } catch (error) {
-    session.store.change({ message: answer(`The 3-D view needs WebGL, which this browser does not offer (${failure(error)?.text}); the slice is shown instead.`) });
-    return null;
+/** The 3-D view, from when it is asked for: its surface costs time, and most do without. */
+class LazySpace {
+  view: SpaceView | null = null;
+  onCamera: (() => void) | null = null;
+  readonly #session: Session;
+  /** Where it is looked from as it opens. */
+  readonly #from: readonly number[] | null;
+  /** Whether a part that is caged is shown with its pocket alone; an address shows what it says. */
+  readonly #alone: boolean;
+
+  constructor(session: Session, { camera, view }: Address) {
+    this.#session = session;
+    this.#from = camera ?? null;
+    this.#alone = view !== "space";
+  }
+
+  get camera(): readonly number[] | null {
+    return this.view ? this.view.camera : this.#from;
+  }
+
+  open(): void {
+    const { store, planar, state } = this.#session;
+    if (this.view || state.view !== "space" || !planar) return;
+    const building = byId("building");
+    try {
+      const region = this.#alone ? cagedIn(this.#session) : null;
+      if (region !== null) this.#hideOthers(region);
+      byId("space").hidden = false;
+      this.view = new SpaceView(byId("space"), this.#session, this.#from);
+      this.view.onProgress = (left) => {
+        building.hidden = left === 0;
+        if (left > 0) say(building, `${left} pieces left to draw`);
+        else if (region !== null) this.view?.fitRegion(region);
+      };
+      this.view.onCamera = () => this.onCamera?.();
+    } catch (error) {
+      store.change({ view: "slice", message: answer(`The 3-D view needs WebGL, which this browser does not offer (${failure(error)?.text}); the slice is shown instead.`) });
+    }
+  }
+
+  /** Looks at a region without what is around it, which would hide it. */
+  showAlone(region: number): void {
+    if (this.#session.planar) this.#hideOthers(region);
+    this.view?.fitRegion(region);
+  }
+
+  #hideOthers(region: number): void {
+    const others = this.#session.pair?.regions.map((_, i) => i).filter((i) => i !== region) ?? [];
+    this.#session.store.change({ hidden: new Set(others) });
   }
 }
 
 /** Which of the views on the right are for the selected pair. */
 function showPanes(session: Session, has3d: boolean): void {
-  const { space } = session.state;
+  const { space, view } = session.state;
+  document.body.dataset["view"] = view;
   const axes = session.pair?.class === "fixed-axes";
   const planar = !axes && (session.planar !== null || space.state === "loading");
-  byId("space").hidden = !planar || !has3d;
+  byId("space").hidden = !planar || !has3d || view !== "space";
   byId("slice").hidden = !planar;
   byId("plane").hidden = !axes || space.state === "none";
   const none = byId("no-space");
@@ -235,7 +286,7 @@ function noSpace(session: Session): string | null {
 }
 
 /** Writes the address, and follows one that is typed or gone back to. */
-function keepAddress(session: Session, spaceView: SpaceView | null, address: () => string, restore: (edits: Edits) => Promise<void>): void {
+function keepAddress(session: Session, space: LazySpace, address: () => string, restore: (edits: Edits) => Promise<void>): void {
   const { store } = session;
   let timer: ReturnType<typeof setTimeout> | null = null;
   let written = location.hash;
@@ -250,7 +301,7 @@ function keepAddress(session: Session, spaceView: SpaceView | null, address: () 
     timer = setTimeout(write, ADDRESS_DELAY);
   };
   store.subscribe(later);
-  if (spaceView) spaceView.onCamera = later;
+  space.onCamera = later;
   window.addEventListener("hashchange", async () => {
     if (location.hash === written) return;
     const to = readAddress(location.hash, session.scene);
@@ -258,9 +309,9 @@ function keepAddress(session: Session, spaceView: SpaceView | null, address: () 
     if (to.warning !== undefined && !to.edits) return;
     await restore(to.edits ?? UNCHANGED);
     const { theme, stop, colouring, cut, height } = { ...USUAL, ...to };
-    store.change({ theme, stop, colouring, cut, height, hidden: new Set(to.hidden ?? []) });
-    if (to.camera) spaceView?.setCamera(to.camera);
-    else spaceView?.lookFromTheFront();
+    store.change({ theme, stop, colouring, cut, height, view: to.view ?? usualView(session.scene), hidden: new Set(to.hidden ?? []) });
+    if (to.camera) space.view?.setCamera(to.camera);
+    else space.view?.lookFromTheFront();
     if (to.pair !== undefined && to.pair !== store.state.pair) void session.select(to.pair, to.configuration ?? null);
     else if (to.configuration) session.setConfiguration(to.configuration);
   });

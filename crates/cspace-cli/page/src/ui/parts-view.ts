@@ -111,7 +111,7 @@ export class PartsView {
     if (changed.has("placements") || changed.has("parts")) {
       this.#drawn.forEach((d, i) => set(d.group, { transform: matrix(state.placements[i] ?? IDENTITY) }));
     }
-    if (changed.has("where") || changed.has("parts") || changed.has("height")) this.#touching();
+    if (changed.has("where") || changed.has("reason") || changed.has("pair") || changed.has("parts") || changed.has("height")) this.#touching();
     if (changed.has("record") && state.record) this.fit();
     if (["placements", "where", "parts", "pair", "editing", "measuring", "height"].some((k) => changed.has(k as Key))) this.#drawOverlay();
   }
@@ -184,21 +184,26 @@ export class PartsView {
     const pair = this.#session.pair;
     this.#drawn.forEach((d) => d.touching.replaceChildren());
     if (!pair) return;
-    for (const touch of this.#touches) {
-      for (const [index, name] of [[pair.fixed, touch.fixed] as const, [pair.moving, touch.moving] as const]) {
-        const d = this.#drawn[index];
-        const place = d ? featurePlace(d.part, name) : null;
-        if (!d || !place) continue;
-        const loop = d.part.loops[place.loop] ?? [];
-        const vertex = loop[place.index];
-        if (place.kind === "vertex" && vertex) {
-          // A line of no length with round ends is a dot of the stroke's width at any zoom.
-          d.touching.append(svg("path", { class: "touch-vertex", d: `M${vertex.x} ${vertex.y}h0` }));
-        } else {
-          const edge = edgeOf(loop, place.index);
-          if (edge) d.touching.append(svg("path", { class: "touch-edge", d: edgePath(edge) }));
-        }
+    const light = (index: number, name: string, kind: "touch" | "reason") => {
+      const d = this.#drawn[index];
+      const place = d ? featurePlace(d.part, name) : null;
+      if (!d || !place) return;
+      const loop = d.part.loops[place.loop] ?? [];
+      const vertex = loop[place.index];
+      if (place.kind === "vertex" && vertex) {
+        // A line of no length with round ends is a dot of the stroke's width at any zoom.
+        d.touching.append(svg("path", { class: `${kind}-vertex`, d: `M${vertex.x} ${vertex.y}h0` }));
+      } else {
+        const edge = edgeOf(loop, place.index);
+        if (edge) d.touching.append(svg("path", { class: `${kind}-edge`, d: edgePath(edge) }));
       }
+    };
+    const { fixed, moving } = this.#session.state.reason;
+    fixed.forEach((name) => light(pair.fixed, name, "reason"));
+    moving.forEach((name) => light(pair.moving, name, "reason"));
+    for (const touch of this.#touches) {
+      light(pair.fixed, touch.fixed, "touch");
+      light(pair.moving, touch.moving, "touch");
     }
   }
 

@@ -91,7 +91,9 @@ export class PlaneView {
     const clip = this.viewport.world.querySelector("clipPath rect");
     if (clip) set(clip, attributes);
     const deviation = Math.min(box.x1 - box.x0, box.y1 - box.y0) * DEVIATION;
-    this.#drawn = { kernel, deviation, curves: kernel.curves(deviation), free: kernel.free(deviation) };
+    // Of a part that stands still a contact is one place, as far as the plane is drawn across.
+    const isDrawn = ({ points }: DrawnCurve) => points.some((p, i) => p !== points[i % 2]);
+    this.#drawn = { kernel, deviation, curves: kernel.curves(deviation).filter(isDrawn), free: kernel.free(deviation) };
     const byRegion = new Map<number, string>();
     for (const { region, points } of this.#drawn.free) byRegion.set(region, (byRegion.get(region) ?? "") + pathOf(points, true));
     this.#free.replaceChildren(
@@ -137,18 +139,18 @@ export class PlaneView {
       at,
       state.where.classification,
       [blocked, svg("g", {}, ...rooms), ...curvePaths(kernel as never, drawn.curves, shown)],
-      `u ${text(box.x1 - box.x0, kernel.u)}, v ${text(box.y1 - box.y0, kernel.v)}`,
+      `${text(box.x1 - box.x0, kernel.u)} by ${text(box.y1 - box.y0, kernel.v)}`,
     );
   }
 
   #axisText(): string {
     const { pair, scene } = this.#session;
-    const text = (part: number | undefined, name: string) => {
+    const text = (part: number | undefined) => {
       const of = part === undefined ? undefined : scene.parts[part];
       const unit = of?.motion.type === "prismatic" && scene.unit ? ` (${scene.unit})` : "";
-      return `${name}: ${of?.name ?? ""}${unit}`;
+      return `${of?.name ?? ""}${unit}`;
     };
-    return `→ ${text(pair?.fixed, "u")}   ↑ ${text(pair?.moving, "v")}`;
+    return `→ ${text(pair?.fixed)}   ↑ ${text(pair?.moving)}`;
   }
 
   #paint(state: Readonly<State>, kernel: AxesKernel): void {

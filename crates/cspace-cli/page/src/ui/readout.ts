@@ -58,7 +58,9 @@ export class Readout {
     const at = (value: number) => length(within(value, extent), scene.unit);
     if (isAxes(c)) {
       const text = (value: number, info: AxisInfo | undefined) => (info?.kind === "length" ? at(value) : info?.kind === "still" ? "still" : degrees(value, 6, TURN));
-      say(this.#configuration, `u ${text(c.u, axes?.u)}, v ${text(c.v, axes?.v)}`);
+      const name = (part: number | undefined) => scene.parts[part ?? -1]?.name ?? "";
+      const { pair } = this.#session;
+      say(this.#configuration, `${name(pair?.fixed)} ${text(c.u, axes?.u)}, ${name(pair?.moving)} ${text(c.v, axes?.v)}`);
     } else {
       say(this.#configuration, `x ${at(c.x)}, y ${at(c.y)}, θ ${degrees(c.theta, 6, TURN)}`);
     }

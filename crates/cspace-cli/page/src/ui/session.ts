@@ -3,7 +3,7 @@
 import type { AxesConfiguration, AxesKernel, Configuration, Kernel, PlanarConfiguration, PlanarKernel } from "../kernel/api.js";
 import { openPair } from "../kernel/index.js";
 import type { Scene, ScenePair } from "../scene.js";
-import { USUAL } from "./address.js";
+import { USUAL, usualView } from "./address.js";
 import type { Address } from "./address.js";
 import { firstPair } from "./first-pair.js";
 import { intervalAt } from "./heights.js";
@@ -58,6 +58,9 @@ export class Session {
       colouring: address.colouring ?? USUAL.colouring,
       hidden: new Set(address.hidden ?? []),
       cut: address.cut ?? USUAL.cut,
+      view: address.view ?? usualView(scene),
+      reason: { fixed: [], moving: [] },
+      order: null,
       dragging: false,
       record: null,
       time: 0,

@@ -17,6 +17,7 @@ import { sliceExtent } from "./slice-extent.js";
 import { FAR, currentSlice, refine, swings } from "./slices.js";
 import type { Key, State } from "./state.js";
 import { unhurried } from "./unhurried.js";
+import { cagedIn } from "./verdict.js";
 import { Viewport, wheelAngle } from "./viewport.js";
 import type { Drag } from "./viewport.js";
 
@@ -81,6 +82,8 @@ export class SliceView {
     const kernel = this.#session.planar;
     if (changed.has("space") && kernel && !state.editing) {
       this.fit();
+      const region = cagedIn(this.#session);
+      if (region !== null) this.fitRegion(region);
     }
     if (["configuration", "space", "where", "colouring", "hidden"].some((k) => changed.has(k as Key))) {
       if (changed.has("configuration")) this.#follow();

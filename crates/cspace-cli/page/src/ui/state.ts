@@ -1,7 +1,7 @@
 /** What the page shows, in one place. Views are told once a frame which of it has changed. */
 
 import type { Classification, Configuration, Kernel, Touch } from "../kernel/api.js";
-import type { Scene, ScenePart } from "../scene.js";
+import type { Scene, ScenePart, View } from "../scene.js";
 import type { Colouring } from "./colours.js";
 import type { Placement } from "./placement.js";
 import type { PlayableRecord } from "./playable.js";
@@ -54,6 +54,12 @@ export interface State {
   hidden: ReadonlySet<number>;
   /** Whether the surface is cut away above the current orientation. */
   cut: boolean;
+  /** What is large. */
+  view: View;
+  /** What the verdict rests on: names of features of the pair's parts; they are lit in the drawing. */
+  reason: { fixed: readonly string[]; moving: readonly string[] };
+  /** In which order an assembly comes apart, in a sentence; null where that is not known. */
+  order: string | null;
   /** Whether something is being dragged. */
   dragging: boolean;
   record: PlayableRecord | null;

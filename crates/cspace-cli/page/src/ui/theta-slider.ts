@@ -33,7 +33,7 @@ export class ThetaSlider {
     this.#listen();
     new ResizeObserver(() => this.#draw()).observe(this.#slider);
     session.store.subscribe((changed) => {
-      if ((["configuration", "space", "theme", "pair"] as Key[]).some((k) => changed.has(k))) this.#draw();
+      if ((["configuration", "space", "theme", "pair", "view"] as Key[]).some((k) => changed.has(k))) this.#draw();
     });
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.#draw());
   }
@@ -109,7 +109,9 @@ export class ThetaSlider {
     const range = this.#range();
     const { planar, scene, state } = this.#session;
     this.#slider.parentElement?.classList.toggle("unused", !range);
-    for (const b of this.#bands) b.hidden = !planar;
+    // What changes between orientations is told beside the surface.
+    const banded = planar && state.view === "space";
+    for (const b of this.#bands) b.hidden = !banded;
     if (!range) return;
     const span = range.hi - range.lo;
     const text = range.angle ? degrees(range.value, 6, span) : length(within(range.value, span), scene.unit);
@@ -129,7 +131,7 @@ export class ThetaSlider {
     const middle = height / 2;
     g.fillStyle = colour("--line");
     g.fillRect(MARGIN, middle - 2, width - 2 * MARGIN, 4);
-    if (planar && isPlanar(state.configuration)) {
+    if (banded && isPlanar(state.configuration)) {
       const index = planar.bandAt(state.configuration.theta);
       const band = planar.bands[index];
       g.fillStyle = colour("--accent");

@@ -1,6 +1,7 @@
 /** The bar at the top: which model and pair, switches and files. */
 
 import type { Actions } from "./actions.js";
+import { isAssembly } from "./assembly-record.js";
 import { button, byId, html, say, set } from "./dom.js";
 import type { Editor } from "./edit.js";
 import type { Session } from "./session.js";
@@ -15,6 +16,8 @@ export class Toolbar {
     const choice = byId<HTMLSelectElement>("pair");
     const of = (i: number) => session.scene.parts[i]?.name ?? "?";
     choice.append(...session.scene.pairs.map((p, i) => html("option", { value: i }, `${of(p.fixed)} | ${of(p.moving)}${p.class === "lower" ? " (joined)" : ""}`)));
+    // Of one pair there is no choice.
+    if (choice.parentElement) choice.parentElement.hidden = session.scene.pairs.length < 2;
     choice.addEventListener("change", () => select(choice.selectedIndex));
 
     const tools = byId("tools");
@@ -23,6 +26,8 @@ export class Toolbar {
       parent.append(b);
       return b;
     };
+    const slice = tool("Slice", "The slice at the current orientation beside the parts, or the plane of both motions, as large as they are", () => actions.toggleView("slice"));
+    const space = tool("Space", "The surface of all contacts in x, y and orientation, and the bands between which contacts change", () => actions.toggleView("space"));
     const stop = tool("Stop at contact", "The moving part stops and slides where it touches (s)", actions.toggleStop);
     const colours = tool("Kinds", "Colour patches by the kind of contact", actions.toggleColouring, byId("details"));
     const cut = tool("Cut", "Cut the surface away above the current orientation (c)", actions.toggleCut);
@@ -46,6 +51,7 @@ export class Toolbar {
     tool("Save model", "Save the model as it is changed (TOML)", actions.saveModel, changes);
     const out = tool("Way out", "Plan a way from here to where the moving part is free, and play it; with Shift the widest", (event) => actions.wayOut(event.shiftKey), ways);
     tool("Play mechanism", "Play the whole mechanism, as its drives move it", actions.playMechanism, ways);
+    if (isAssembly(session.scene)) tool("Take apart", "Find how all parts come apart, one after the other, and play it", actions.takeApart, ways);
     const whole = tool("Push all parts", "What is dragged pushes all parts of the mechanism, and not the selected pair alone", actions.toggleWhole, ways);
 
     session.store.subscribe((changed, state) => {
@@ -55,6 +61,8 @@ export class Toolbar {
       }
       if (changed.has("pair")) choice.selectedIndex = state.pair;
       const pressed = (b: HTMLElement | null, on: boolean) => b && set(b, { "aria-pressed": String(on) });
+      pressed(slice, state.view === "slice");
+      pressed(space, state.view === "space");
       pressed(stop, state.stop);
       pressed(colours, state.colouring === "kind");
       pressed(cut, state.cut);
@@ -62,10 +70,13 @@ export class Toolbar {
       pressed(measure, state.measuring);
       pressed(whole, state.whole);
       say(theme, { auto: "Theme: auto", light: "Theme: light", dark: "Theme: dark" }[state.theme]);
-      if ((["pair", "scene", "space"] as Key[]).some((k) => changed.has(k))) {
+      if ((["pair", "scene", "space", "view"] as Key[]).some((k) => changed.has(k))) {
         const pair = session.pair;
-        out.hidden = pair?.class === "fixed-axes" || pair?.class === "lower";
-        cut.hidden = pair?.class === "fixed-axes" || pair?.class === "lower";
+        const axes = pair?.class === "fixed-axes";
+        out.hidden = space.hidden = axes || pair?.class === "lower";
+        cut.hidden = space.hidden || state.view !== "space";
+        slice.hidden = pair?.class === "lower";
+        say(slice, axes ? "Plane" : "Slice");
       }
     });
   }

@@ -1,11 +1,16 @@
-/** The verdict at the top of the side panel. */
+/** The question and its answer, over all views. */
 
-import { html, say, set } from "./dom.js";
+import type { Configuration, Kernel } from "../kernel/api.js";
+import { cageOf } from "./cage.js";
+import { byId, html, say, set } from "./dom.js";
+import { firstPair } from "./first-pair.js";
 import { lowerPair } from "./lower.js";
+import { isAxes } from "./mechanism.js";
 import { playOf } from "./play.js";
+import { heldOneWay, pushesOf } from "./pushes.js";
 import type { Session } from "./session.js";
 import type { Key } from "./state.js";
-import { details, headline, standing } from "./verdict.js";
+import { cagedIn, details, headline, regionOf, standing } from "./verdict.js";
 import { unhurried } from "./unhurried.js";
 import type { Told } from "./verdict.js";
 
@@ -18,19 +23,28 @@ const LISTED = 3;
 export class VerdictView {
   readonly #session: Session;
   readonly #element: HTMLElement;
+  readonly #question = html("h2", { id: "question" });
   readonly #headline = html("p", { class: "headline", "aria-live": "polite" });
-  readonly #details = html("div", { class: "detail" });
+  readonly #order = html("p", {});
+  readonly #details = byId("play");
+  /** What becomes of pushed parts at a configuration. */
+  #pushed: { kernel: Kernel; at: Configuration; pushes: Told["pushes"] } | null = null;
   readonly #held = html("div", { class: "held", "aria-live": "polite" });
   readonly #tellLater = unhurried(() => this.#tell(), PAUSE);
 
   constructor(parent: HTMLElement, session: Session) {
     this.#session = session;
     this.#element = parent;
-    parent.append(html("div", { class: "pinned" }, this.#headline, this.#held), this.#details);
-    session.store.subscribe((changed) => {
-      if (changed.has("pair")) this.#element.style.minHeight = "";
+    parent.append(this.#question, html("div", { id: "verdict" }, this.#headline, this.#order, this.#held));
+    const first = firstPair(session.scene);
+    session.store.subscribe((changed, state) => {
+      if (changed.has("pair")) {
+        this.#element.style.minHeight = this.#details.style.minHeight = "";
+        say(this.#question, (state.pair === first && session.scene.show.question) || "");
+      }
       if (changed.has("held")) this.#sayHeld();
-      if ((["where", "space", "pair", "parts", "displaced", "whole"] as Key[]).some((k) => changed.has(k))) this.#draw();
+      if (changed.has("order")) say(this.#order, state.order ?? "");
+      if ((["where", "space", "pair", "parts", "displaced", "whole", "dragging", "playing"] as Key[]).some((k) => changed.has(k))) this.#draw();
     });
   }
 
@@ -38,7 +52,9 @@ export class VerdictView {
     const { pair, state } = this.#session;
     const told = this.#told();
     const touches = state.where.classification === "contact" || state.where.fits;
-    set(this.#element, { "data-standing": told && standing(told), class: touches ? "touching" : null });
+    set(document.body, { "data-standing": told && standing(told) });
+    set(this.#element, { class: touches ? "touching" : null });
+    this.#light(told);
     if (told) say(this.#headline, headline(told));
     else if (state.space.state === "loading") say(this.#headline, "Computing …");
     else say(this.#headline, pair && lowerPair(pair) ? "Joined: the parts always touch." : "No configuration space.");
@@ -58,12 +74,40 @@ export class VerdictView {
     const { pair, kernel, state, scene, axes } = this.#session;
     if (!pair || !kernel || kernel.class === "lower") return null;
     const name = (part: number) => scene.parts[part]?.name ?? "?";
-    return { pair, kernel, where: state.where, fixed: name(pair.fixed), moving: name(pair.moving), axes: axes ? [axes.u, axes.v] : null, others: scene.parts.length > 2, whole: state.whole, displaced: state.displaced, unit: scene.unit };
+    const region = cagedIn(this.#session);
+    const named = new Set(Object.values(state.parts[pair.fixed]?.feature_names ?? {}));
+    const cage = region === null ? [] : cageOf(kernel, region).filter((feature) => named.has(feature));
+    const pushes = this.#isPushed ? (this.#pushed?.pushes ?? null) : null;
+    return { pair, kernel, pushes, cage, where: state.where, fixed: name(pair.fixed), moving: name(pair.moving), axes: axes ? [axes.u, axes.v] : null, others: scene.parts.length > 2, whole: state.whole, displaced: state.displaced, unit: scene.unit };
+  }
+
+  /** What the verdict rests on is lit in the drawing: what cages the part, or what holds the one that turns one way only. */
+  #light(told: Told | null): void {
+    const { kernel, store } = this.#session;
+    const region = cagedIn(this.#session);
+    const held = told?.pushes && (heldOneWay(told.pushes.u) ?? heldOneWay(told.pushes.v));
+    const touching = held ? held.push.touching : [];
+    const reason = { fixed: region !== null && kernel ? cageOf(kernel, region) : touching.map((t) => t.fixed), moving: touching.map((t) => t.moving) };
+    if (JSON.stringify(reason) !== JSON.stringify(store.state.reason)) store.change({ reason });
+  }
+
+  /** Whether pushes are known here: how far they go depends on where the parts are, and that nothing holds them does not. */
+  get #isPushed(): boolean {
+    const { kernel, state } = this.#session;
+    if (this.#pushed?.kernel !== kernel) return false;
+    const { u, v } = this.#pushed?.pushes ?? { u: null, v: null };
+    return this.#pushed?.at === state.configuration || [u?.back, u?.forth, v?.back, v?.forth].every((push) => !push || push.gone === Infinity);
   }
 
   #tell(): void {
+    const { kernel, axes, state } = this.#session;
+    const c = state.configuration;
+    if (axes && kernel && isAxes(c) && !state.dragging && !state.playing && !this.#isPushed && regionOf({ where: state.where, kernel }) !== null) {
+      this.#pushed = { kernel, at: c, pushes: pushesOf(axes, c) };
+      this.#draw();
+      return;
+    }
     const told = this.#told();
-    const { kernel, state } = this.#session;
     const free = state.where.classification === "free" || state.where.classification === "contact";
     const lines = told && kernel ? details(told, free ? playOf(kernel, state.configuration) : []) : [];
     this.#show(this.#details, lines);
@@ -72,6 +116,6 @@ export class VerdictView {
   /** What took room once keeps it: what is below stays in its place. */
   #show(element: HTMLElement, lines: readonly string[]): void {
     element.replaceChildren(...lines.map((line) => html("p", {}, line)));
-    this.#element.style.minHeight = `${this.#element.offsetHeight}px`;
+    for (const e of [this.#element, this.#details]) e.style.minHeight = `${e.offsetHeight}px`;
   }
 }

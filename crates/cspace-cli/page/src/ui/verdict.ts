@@ -6,7 +6,8 @@ import { degrees, length, rounded as shown } from "./numbers.js";
 import { widthOf } from "./play.js";
 import type { Way } from "./play.js";
 import { TURN } from "./placement.js";
-import { regionName } from "./region-names.js";
+import { heldOneWay } from "./pushes.js";
+import type { Pushes } from "./pushes.js";
 import type { Where } from "./state.js";
 
 export interface Told {
@@ -18,6 +19,10 @@ export interface Told {
   moving: string;
   /** What u and v are, of a pair on fixed axes. */
   axes: [AxisInfo, AxisInfo] | null;
+  /** What becomes of both where they are pushed, once it is known. */
+  pushes: { u: Pushes; v: Pushes } | null;
+  /** Names that the model gives to what encloses the region. */
+  cage: readonly string[];
   /** Whether the model has other parts, which are left out of account. */
   others: boolean;
   /** Whether others are pushed all the same. */
@@ -34,40 +39,59 @@ export function regionOf({ where, kernel }: { where: Where; kernel: Pick<Kernel,
   return patch === undefined || !kernel ? null : kernel.patch(patch).region;
 }
 
-/** What the verdict comes to; null where nothing can be caged, or nothing is known. */
-export function standing(told: Told): "caged" | "leaves" | "overlap" | null {
-  if (told.where.classification === "blocked") return told.where.fits ? "caged" : "overlap";
+/** The pocket that the selected pair is in, or at the edge of. */
+export function cagedIn(of: { state: { where: Where }; kernel: Pick<Kernel, "patch"> | null; pair: Pick<ScenePair, "class" | "regions"> | undefined }): number | null {
+  const { state, kernel, pair } = of;
+  const region = regionOf({ where: state.where, kernel });
+  return region === null || !pair || pair.class === "fixed-axes" || pair.regions[region]?.unbounded ? null : region;
+}
+
+/** What the verdict comes to; null where nothing is known. */
+export function standing(told: Told): "caged" | "leaves" | "overlap" | "one-way" | "moves" | null {
+  if (told.where.classification === "blocked") return told.where.fits ? null : "overlap";
   const region = regionOf(told);
-  if (region === null || told.pair.class === "fixed-axes") return null;
+  if (region === null) return null;
+  if (told.pair.class === "fixed-axes") return heldOneWay(told.pushes?.u ?? null) || heldOneWay(told.pushes?.v ?? null) ? "one-way" : "moves";
   return told.pair.regions[region]?.unbounded ? "leaves" : "caged";
 }
 
 /** The verdict, in a sentence. */
 export function headline(told: Told): string {
   const { pair, where, fixed, moving } = told;
-  if (where.fits) return `${moving} fits ${fixed} exactly: they touch, and have no room to move.`;
+  if (where.fits) return `${moving} fits ${fixed} without play.`;
   if (where.classification === "blocked") return `${moving} and ${fixed} overlap: real parts cannot be there.`;
   if (where.classification === null) return "This is outside of what was computed.";
   const region = regionOf(told);
   const touches = where.classification === "contact";
   if (pair.class === "fixed-axes") return region === null ? (touches ? `${moving} touches ${fixed}.` : `${moving} is free.`) : onAxes(told, region);
   if (region === null) return touches ? `${moving} touches ${fixed}.` : `${moving} is free.`;
-  const name = regionName(pair, region);
   if (pair.regions[region]?.unbounded) {
     const alone = told.others ? ", the other parts left aside" : "";
-    return touches ? `${moving} touches ${fixed} and is not caged: it can leave${alone}.` : `${moving} is not caged: it can leave${alone}.`;
+    return `${moving} can leave${alone}${touches ? `: it touches ${fixed}, and is not caged` : ""}.`;
   }
-  return touches ? `${moving} touches ${fixed}, caged in ${name}: it cannot leave.` : `${moving} is caged in ${name}: it cannot leave.`;
+  const named = [...told.cage.slice(0, LISTED), ...(told.cage.length > LISTED ? ["others"] : [])];
+  const list = named.length > 1 ? `${named.slice(0, -1).join(", ")} and ${named.at(-1)}` : named[0];
+  return `${moving} cannot leave: caged by ${list === undefined ? fixed : `${list} of ${fixed}`}.`;
 }
+
+/** So many features of a cage are named. */
+const LISTED = 3;
 
 /** A range is that of the axis, as a share, but for rounding. */
 const SAME = 1e-9;
 
 /** Where the two parts can go on their axes. */
-function onAxes({ pair, fixed, moving, axes, unit }: Told, region: number): string {
+function onAxes({ pair, fixed, moving, axes, pushes, unit }: Told, region: number): string {
   const ranges = pair.regions[region]?.ranges;
-  if (!ranges || !axes) return `${moving} and ${fixed} are in region ${region}.`;
-  if (ranges[0].around && ranges[1].around) return `${fixed} and ${moving} turn together for ever.`;
+  if (!ranges || !axes) return `${moving} and ${fixed} have room to move.`;
+  const oneWay = ([["u", fixed, moving], ["v", moving, fixed]] as const).flatMap(([coordinate, name, other]) => {
+    const held = heldOneWay(pushes?.[coordinate] ?? null);
+    if (!held) return [];
+    const [met, gone] = [held.push.met, held.push.gone].map((angle) => degrees(angle, DIGITS));
+    return [`${name} turns one way only: ${held.way} it meets ${other} after ${met}, and is held${met === gone ? "" : ` after ${gone}`}.`];
+  });
+  if (oneWay[0] !== undefined) return oneWay[0];
+  if (ranges[0].around && ranges[1].around) return together(fixed, moving, pushes);
   const goes = (axis: AxisInfo, { lo, hi, open, around }: SceneRange) => {
     if (axis.kind === "still") return null;
     if (around) return "turns for ever";
@@ -83,6 +107,17 @@ function onAxes({ pair, fixed, moving, axes, unit }: Told, region: number): stri
     return way ? [`${name} ${way}`] : [];
   });
   return `${all.join(", ")}.`;
+}
+
+/** Of two parts that both turn for ever: which of them takes the other along, and which is held. */
+function together(fixed: string, moving: string, pushes: Told["pushes"]): string {
+  const goes = (of: Pushes | undefined) => (of ? of.back.gone === Infinity && of.forth.gone === Infinity : null);
+  const [u, v] = [goes(pushes?.u), goes(pushes?.v)];
+  const drives = (driver: string, driven: string, held: Pushes) =>
+    `${driver} turns for ever and takes ${driven} along; pushed itself, ${driven} is held after ${degrees((held?.back.gone ?? 0) + (held?.forth.gone ?? 0), DIGITS)} of play.`;
+  if (u === true && v === false) return drives(fixed, moving, pushes?.v ?? null);
+  if (u === false && v === true) return drives(moving, fixed, pushes?.u ?? null);
+  return `${fixed} and ${moving} turn together for ever.`;
 }
 
 /** How far it can go from here along each coordinate alone, and how far the parts are apart. */

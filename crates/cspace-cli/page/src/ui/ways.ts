@@ -52,6 +52,13 @@ export class Ways {
     this.#timeline.play("mechanism", text, edits, () => this.mechanism());
   }
 
+  /** Plays how the assembly comes apart. */
+  async apart(): Promise<void> {
+    const edits = this.#edits();
+    const text = await this.#busy("Taking the parts apart …", "disassemble", () => this.#workshop.disassemble(edits));
+    this.#timeline.play("taken apart", text, edits, () => this.apart());
+  }
+
   #busy(text: string, what: Question["what"], work: () => Promise<string>): Promise<string> {
     return busy(this.#session.store, text, () => this.#workshop.cancel(what), 0, work);
   }

@@ -66,6 +66,7 @@ export type Question =
   | { what: "toml"; edits: string }
   | { what: "plan"; pair: number; edits: string; from: number[]; to: number[]; widest: boolean }
   | { what: "simulate"; edits: string }
+  | { what: "disassemble"; edits: string }
   | { what: "check"; edits: string }
   | { what: "contact"; pair: number; edits: string; contact: string }
   | { what: "drag"; edits: string; drag: MechanismDrag };
@@ -178,6 +179,11 @@ export class Workshop {
   /** What `cspace simulate --json` prints, of as long as the slowest drive takes for a turn. */
   simulate(edits: Edits): Promise<string> {
     return this.#ask({ what: "simulate", edits: JSON.stringify(edits) });
+  }
+
+  /** What `cspace disassemble --json` prints. */
+  disassemble(edits: Edits): Promise<string> {
+    return this.#ask({ what: "disassemble", edits: JSON.stringify(edits) });
   }
 
   async drag(edits: Edits, drag: MechanismDrag): Promise<Came> {

@@ -30,7 +30,7 @@ describe("the page agrees with the command", { skip }, () => {
   for (const model of shown()) {
     const name = relative(root, model);
     it(name, async (t) => {
-      const { page, faults } = await open(browser, addressOf(exported(model, folder.path)));
+      const { page, faults } = await open(browser, `${addressOf(exported(model, folder.path))}#view=space`);
       const scene = await page.evaluate(() => {
         const text = document.getElementById("scene")?.textContent ?? "null";
         return JSON.parse(text) as Scene;

@@ -66,6 +66,36 @@ describe("the page at every size", { skip: skip || long }, () => {
     }
   });
 
+  it("opens on the question, the answer, and large parts, on the pocket of what is caged; and on the surface where that is asked for", async () => {
+    const latch = join(suite.folder, "latch.toml");
+    run(["new", "latch", "-o", latch]);
+    const area = (page: Page, selector: string): Promise<number> => page.$eval(selector, (e) => e.clientWidth * e.clientHeight);
+    for (const size of SIZES) {
+      const page = await at(size, latch);
+      const { height } = await page.$eval("#answer", (e) => ({ height: e.getBoundingClientRect().height }));
+      assert.ok(height > 20 && height < size.height / 5, `${size.width}: ${height}`);
+      assert.deepEqual(await page.$$eval("#question, #verdict .headline", (all) => all.map((e) => e.textContent)), ["Does the bolt come out?", "bolt cannot leave: caged by right lip and left lip of catch."]);
+      assert.ok((await area(page, "#parts")) > 1.4 * (await area(page, "#slice")), `${size.width}`);
+      assert.deepEqual(await page.$$eval("#space canvas, #theta button:not([hidden])", (all) => all.length), 0);
+      // The pocket is as wide and high as the bolt has room in it: by 2 and 2, of a window that shows little else.
+      const [pane, pocket] = await page.$eval("#slice", (e) => [e, ...e.querySelectorAll(".curve")].slice(0, 2).map((x) => x.getBoundingClientRect()).map((r) => [r.width, r.height]));
+      assert.ok(Math.max(pocket![0]! / pane![0]!, pocket![1]! / pane![1]!) > 0.4, `${size.width}: ${JSON.stringify({ pane, pocket })}`);
+      // Both lips, among what cages it.
+      assert.ok((await page.$$eval("#parts .part.fixed .reason-edge, #parts .part.fixed .reason-vertex", (all) => all.length)) >= 4);
+      await page.$$eval("#tools button", (all) => (all.find((b) => b.textContent === "Space") as HTMLElement).click());
+      await page.waitForFunction(() => location.hash.includes("view=space"), { timeout: PATIENCE });
+      assert.ok((await area(page, "#space")) > 10_000, `${size.width}`);
+      assert.deepEqual(await page.$$eval("#legend input", (all) => all.map((e) => (e as HTMLInputElement).checked)), [false, true]);
+      const address = page.url();
+      await suite.opened?.page.close();
+      suite.opened = await load(suite.browser, address, size);
+      await drawn(suite.opened.page);
+      assert.ok((await area(suite.opened.page, "#space canvas")) > 10_000, `${size.width}`);
+    }
+    const page = await at(SIZES[0], model("latch_box"));
+    await page.waitForFunction(() => /first bolt, then lid, then block/.test(document.querySelector("#verdict")?.textContent ?? ""), { timeout: PATIENCE });
+  });
+
   it("says what stopped a drag of the mechanism where the verdict is", async () => {
     for (const size of SIZES) {
       const page = await at(size, model("shift_interlock"));
@@ -165,6 +195,7 @@ describe("the page at every size", { skip: skip || long }, () => {
     await page.evaluate(() => window.cspace.setConfiguration({ x: 0, y: -1, theta: 0 }));
     await settled(page);
     assert.match(await page.$eval("#readout .touching-list", (e) => e.textContent ?? ""), /^bottom wall of a recess.* \| round of radius 5 about 0, -6$/);
+    assert.equal(await page.$eval(".pair-choice", (e) => (e as HTMLElement).hidden), true);
     assert.match(await page.$eval("#pair-class", (e) => e.textContent ?? ""), /^general pair, 24 \+ 14 features, \d+ patches$/);
     const field = "#design .value input";
     await page.$eval(field, (e) => {

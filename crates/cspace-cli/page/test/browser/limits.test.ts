@@ -102,7 +102,7 @@ describe("the page at its limits", { skip }, () => {
     const block = drawn([[0, 0], [20, 0], [20, 10], [15, 10], [15, 4], [5, 4], [5, 10], [0, 10]]);
     const peg = drawn([[7, 12], [13, 12], [13, 20], [7, 20]]);
     writeFileSync(file, `[[part]]\nname = "block"\nloops = [${block}]\n[[part]]\nname = "peg"\nloops = [${peg}]\n`);
-    const page = await openModel(file);
+    const page = await openModel(file, "#view=space");
     const numbers = (of: string): Promise<string[]> => page.$$eval(`${of} .grid-numbers text`, (all) => all.map((e) => e.textContent ?? ""));
     const across = (await numbers("#parts")).filter((text) => /^1000\d{3}/.test(text));
     assert.ok(across.length > 4, (await numbers("#parts")).join());

@@ -63,6 +63,8 @@ describe("the page in a browser", { skip }, () => {
 
   it("draws the space, and turns it", async () => {
     const page = await openModel("knee");
+    assert.equal(await page.$("#space canvas"), null);
+    await press(page, "Space");
     const first = await pictureOf(page, "#space canvas");
     assert.ok(colours(first) > 30, `${colours(first)} colours`);
     const box = await boxOf(page, "#space canvas");
@@ -202,7 +204,7 @@ describe("the page in a browser", { skip }, () => {
   });
 
   it("steps through bands", async () => {
-    const page = await openModel("knee");
+    const page = await openModel("knee", [], "#view=space");
     const text = (): Promise<string> => page.$eval("#theta .band-text", (e) => e.textContent ?? "");
     const band = async (): Promise<number> => Number(/band (\d+) of/.exec(await text())?.[1]);
     const all = Number(/band \d+ of (\d+)/.exec(await text())?.[1]);
@@ -219,7 +221,7 @@ describe("the page in a browser", { skip }, () => {
   });
 
   it("hides regions, and colours patches by kind", async () => {
-    const page = await openModel("fixture_plate");
+    const page = await openModel("fixture_plate", [], "#view=space");
     const first = await pictureOf(page, "#space canvas");
     await page.click("#legend input[type=checkbox]");
     await settled(page);
@@ -312,7 +314,7 @@ describe("the page in a browser", { skip }, () => {
       [1024, 700],
       [3840, 2160],
     ] as const) {
-      suite.opened = await open(suite.browser, addressOf(exported(model("snap_fastener"), suite.folder)), { width, height });
+      suite.opened = await open(suite.browser, `${addressOf(exported(model("snap_fastener"), suite.folder))}#view=space`, { width, height });
       const over = await suite.opened.page.evaluate(() => document.documentElement.scrollWidth - window.innerWidth);
       assert.ok(over <= 0, `${over} pixels too wide at ${width}`);
       for (const pane of ["#parts", "#space", "#slice", "#theta", "#verdict"]) {
@@ -327,7 +329,7 @@ describe("the page in a browser", { skip }, () => {
   it("shows the slice where there is no WebGL", async () => {
     const plain = await launch(join(suite.folder, "plain"), ["--disable-gpu", "--disable-software-rasterizer", "--disable-3d-apis"]);
     try {
-      const { page } = await open(plain, addressOf(exported(model("knee"), suite.folder)));
+      const { page } = await open(plain, `${addressOf(exported(model("knee"), suite.folder))}#view=space`);
       assert.match(await page.$eval("#message", (e) => e.textContent ?? ""), /WebGL/);
       assert.ok((await boxOf(page, "#slice")).height > 300);
     } finally {
@@ -376,6 +378,7 @@ describe("the page in a browser", { skip }, () => {
       assert.equal(await patches(), before);
 
       // A vertex of the fixed part is dragged: the drawing follows the pointer, the space the drawing.
+      await press(page, "Fit");
       const handle = (await page.$$("#parts .handle.vertex"))[0] as ElementHandle;
       const at = await middle(handle);
       const slice = await pictureOf(page, "#slice");

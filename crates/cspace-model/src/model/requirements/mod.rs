@@ -16,6 +16,7 @@ pub use quantity::{
 
 use self::motion::read_motion;
 use self::pair::read_pair;
+pub(super) use self::pair::two_parts;
 pub(super) use self::space::{AXES, PLANAR};
 use super::keys::{Key, Keys, Kind, Kinds};
 use super::scope::Result;

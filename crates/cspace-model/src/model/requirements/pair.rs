@@ -183,7 +183,10 @@ fn pair_of(table: &Table<'_>, mechanism: &Mechanism) -> Result<PairEntry> {
 }
 
 /// The two parts that are named as the pair, if they are.
-pub(super) fn two_parts(table: &Table<'_>, mechanism: &Mechanism) -> Result<Option<[usize; 2]>> {
+pub(in crate::model) fn two_parts(
+    table: &Table<'_>,
+    mechanism: &Mechanism,
+) -> Result<Option<[usize; 2]>> {
     const HELP: &str = "give it as pair = [\"fixed part\", \"moving part\"]";
     let Some(names) = table.nodes("pair", HELP)? else {
         return Ok(None);

@@ -11,5 +11,6 @@ mod paper;
 mod profile;
 mod round_trip;
 mod schema;
+mod show;
 mod slips;
 mod snap;
