@@ -41,7 +41,7 @@ def box(loops: list[list[dict]]) -> Box:
 
 def path(loop: list[dict], shift: float, number) -> str:
     """A loop as SVG has it, whose y goes down."""
-    at = lambda v: f"{number(v['x'] + shift)} {number(-v['y'])}"  # noqa: E731
+    at = lambda v: f"{number(v['x'] + shift)} {number(-v['y'])}"
     text = f"M{at(loop[0])}"
     for a, b in edges(loop):
         k = a["bulge"]
@@ -63,7 +63,7 @@ def drawing(scene: dict, pair: dict, apart: bool) -> str:
     size = max(hi[0] - lo[0], hi[1] - lo[1])
     # A thousandth of the drawing is less than it shows.
     digits = max(0, 3 - math.floor(math.log10(size)))
-    number = lambda x: f"{x:.{digits}f}".rstrip("0").rstrip(".") if digits else f"{x:.0f}"  # noqa: E731
+    number = lambda x: f"{x:.{digits}f}".rstrip("0").rstrip(".") if digits else f"{x:.0f}"
     margin = MARGIN * size
     view = " ".join(number(x) for x in (lo[0] - margin, -hi[1] - margin, hi[0] - lo[0] + 2 * margin, hi[1] - lo[1] + 2 * margin))
     drawn = ""

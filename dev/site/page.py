@@ -7,7 +7,7 @@ from pathlib import Path
 # What pages share, as `cspace export` writes it, and the file that holds it. The kernel is with the script of the worker.
 SHARED = {
     "style.js": re.compile(r"<style>.*?</style>", re.S),
-    "kernel.js": re.compile(r'<script type="text/plain" id="worker">.*?</script><script type="text/plain" id="kernel">[^<]*</script>', re.S),
+    "kernel.js": re.compile(r'<script type="text/plain" id="worker">.*?</script><script [^>]* id="kernel">[^<]*</script>', re.S),
     "page.js": re.compile(r"<script>.*?</script>", re.S),
 }
 SCENE = re.compile(r'(<script type="application/json" id="scene">)([^<]*)(</script>)')

@@ -7,7 +7,8 @@ def order(disassembled: dict) -> str | None:
     """The order in which all comes apart, if it does."""
     if disassembled["verdict"] != "apart":
         return None
-    return "Comes apart: " + ", then ".join(" with ".join(step["moving"]) for step in disassembled["steps"] if step["kind"] == "leaves") + "."
+    left = [" with ".join(step["moving"]) for step in disassembled["steps"] if step["kind"] == "leaves"]
+    return f"Comes apart: {', then '.join(left)}."
 
 
 def is_assembly(scene: dict) -> bool:
@@ -26,7 +27,8 @@ def verdict(scene: dict, pair: dict, region: int | None) -> str:
     pockets = [r for r in pair["regions"] if not r["unbounded"]]
     of = pair["regions"][region] if region is not None else (pockets or pair["regions"])[0]
     if pair["class"] != "fixed-axes":
-        return f"{moving['name']} can leave." if of["unbounded"] else f"{moving['name']} is caged by {fixed['name']}."
+        aside = ", the other parts left aside" if len(scene["parts"]) > 2 else ""
+        return f"{moving['name']} can leave{aside}." if of["unbounded"] else f"{moving['name']} is caged by {fixed['name']}."
     if all(r["around"] for r in of["ranges"]):
         return f"{fixed['name']} and {moving['name']} turn together for ever."
     said = [goes(part, reach, scene["unit"]) for part, reach in zip((fixed, moving), of["ranges"]) if part["motion"]["type"] != "fixed"]

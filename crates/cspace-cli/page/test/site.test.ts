@@ -15,8 +15,9 @@ const SHARED = ["style.js", "kernel.js", "page.js"];
 const OWN_BYTES = 60_000;
 
 describe("the site", { skip: binary() ? false : NO_COMMAND }, () => {
-  const lesson = ["ball_in_c", "ratchet_mechanism", "peg_hole", "layers/gate", "gears_on_shafts", "cam_tappet", "shift_interlock", "latch_box", "tolerances/geneva_lock", "paper/blocks"];
-  const models = lesson.map((name) => join(MODELS, `${name}.toml`));
+  const plane = ["ball_in_c", "peg_hole", "latch_box", "ratchet_mechanism", "paper/blocks"];
+  const axes = ["layers/gate", "gears_on_shafts", "cam_tappet", "shift_interlock", "tolerances/geneva_lock"];
+  const models = [...plane, ...axes].map((name) => join(MODELS, `${name}.toml`));
 
   it("has pages that share style, kernel and script, and lead back; lessons are answered by the program", () => {
     inFolder((folder) => {
