@@ -85,8 +85,8 @@ pub use forces::has_forces;
 pub use hand::{Dragged, Ending, Hand, Stopper, Target};
 pub use pairs::{MovingPair, Pairs, Touch};
 pub use record::{
-    ContactForce, DriveForce, End, Energy, Event, EventKind, Forces, JointForce, MOST_TRACED,
-    Obstacle, Record, Sample, Status, What,
+    Conduct, ContactForce, DriveForce, End, Energy, Event, EventKind, Forces, JointForce,
+    MOST_TRACED, Obstacle, Record, Sample, Status, What,
 };
 pub use report::{
     ContactInterval, ContactPeak, Cycle, DrivePeak, Drop, PartCycle, Peak, Peaks, Pressing, Report,

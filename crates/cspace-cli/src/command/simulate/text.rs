@@ -3,7 +3,7 @@
 use std::fmt::{self, Write};
 
 use cspace_model::{Mechanism, Quantity, shown};
-use cspace_motion::{Energy, Event, EventKind, Status, What};
+use cspace_motion::{Conduct, Energy, Event, EventKind, Status, What};
 
 use crate::subject::placed_by_name;
 use crate::wording::{count, decimals, degrees, digits_beside, length};
@@ -72,8 +72,13 @@ pub(super) fn describe(text: &mut String, model: &Mechanism, motion: &Motion) ->
         describe_event(text, model, event)?;
     }
     if motion.events.len() > MOST {
-        let more = motion.events.len() - MOST;
-        writeln!(text, "  {more} more; --json has all")?;
+        let more = &motion.events[MOST..];
+        write!(text, "  {} more", more.len())?;
+        let is_told = |e: &&Event| matches!(e.kind, EventKind::Choice | EventKind::Bridge);
+        if let Some(first) = more.iter().find(is_told) {
+            write!(text, ", a {} at {:.6} s first", kind(first), first.t)?;
+        }
+        writeln!(text, "; --json has all")?;
     }
     Ok(())
 }
@@ -128,14 +133,45 @@ fn describe_event(text: &mut String, model: &Mechanism, event: &Event) -> fmt::R
             bridge.until, bridge.overlap
         );
     }
-    if let Some(choice) = &event.choice {
+    let Some(choice) = &event.choice else {
+        return writeln!(text, "{}", named(model, &event.what));
+    };
+    // What the nearest of the others has otherwise.
+    let differs = |other: &Vec<Conduct>| {
+        choice
+            .taken
+            .iter()
+            .zip(other)
+            .filter(|(a, b)| a != b)
+            .count()
+    };
+    let other = choice.others.iter().min_by_key(|other| differs(other));
+    let conducts = choice.taken.iter().zip(other.into_iter().flatten());
+    let mut all = choice
+        .contacts
+        .iter()
+        .zip(conducts)
+        .filter(|(_, (a, b))| a != b);
+    write!(
+        text,
+        "1 of {}",
+        count(choice.others.len() + 1, "motion", "motions")
+    )?;
+    if let Some((what, (taken, other))) = all.next() {
         write!(
             text,
-            "{} of ",
-            count(choice.others.len() + 1, "motion", "motions")
+            ": {} {} rather than {}",
+            named(model, what),
+            does(*taken),
+            does(*other)
         )?;
     }
-    match &event.what {
+    writeln!(text)
+}
+
+/// What an event happens to.
+fn named(model: &Mechanism, what: &What) -> String {
+    match what {
         What::Contact {
             fixed,
             moving,
@@ -143,9 +179,40 @@ fn describe_event(text: &mut String, model: &Mechanism, event: &Event) -> fmt::R
         } => {
             let f = placed_by_name(model, fixed, f);
             let m = placed_by_name(model, moving, m);
-            writeln!(text, "{f} and {m}")
+            format!("{f} and {m}")
         }
-        What::Part { part } => writeln!(text, "{}", shown::text(part)),
-        What::Limit { part, limit } => writeln!(text, "{limit} end of {}", shown::text(part)),
+        What::Part { part } => shown::text(part).into_owned(),
+        What::Limit { part, limit } => format!("{limit} end of {}", shown::text(part)),
+    }
+}
+
+/// What two features do.
+fn does(conduct: Conduct) -> &'static str {
+    match conduct {
+        Conduct::Opens => "part",
+        Conduct::Sticks => "stick",
+        Conduct::Slides => "slide",
+        Conduct::SlidesBack => "slide back",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A choice tells what is done, and what the nearest of the others has otherwise.
+    #[test]
+    fn a_choice_tells_what_it_is_between() {
+        let event: Event = serde_json::from_str(
+            r#"{ "t": 1, "kind": "choice", "part": "box", "choice": {
+                "contacts": [{ "part": "rod", "limit": "upper" }, { "part": "box" }],
+                "taken": ["slides", "sticks"],
+                "others": [["opens", "opens"], ["slides", "slides-back"]] } }"#,
+        )
+        .unwrap();
+        let mut text = String::new();
+        describe_event(&mut text, &Mechanism::new("m"), &event).unwrap();
+        let expected = "  1.000000 s choice  1 of 3 motions: box stick rather than slide back\n";
+        assert_eq!(text, expected);
     }
 }
