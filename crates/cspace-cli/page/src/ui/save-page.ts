@@ -12,8 +12,8 @@ export function pageFile(scene: Scene, address: string): string {
   const element = page.querySelector("#scene");
   // In JSON `<` is nowhere but in texts, where it could end the element.
   if (element) element.textContent = JSON.stringify(scene).replaceAll("<", "\\u003c");
-  // A kernel beside the page has been written into it.
-  for (const beside of page.querySelectorAll("script[src]")) beside.remove();
+  // What is beside a page of a gallery has been written into it; the links between its pages lead nowhere from elsewhere.
+  for (const beside of page.querySelectorAll("script[src], #gallery")) beside.remove();
   // A server sends the policy itself, and has that of files here.
   const policy = page.querySelector("meta[name=policy]");
   policy?.removeAttribute("name");

@@ -12,9 +12,9 @@ export class ServerError extends Error {
   }
 }
 
-/** Whether this page is served by the command, and is not a file. */
+/** Whether this page is served by the command, which sends the policy itself: that of a file is in force wherever its host. */
 export function isServed(): boolean {
-  return /^https?:$/.test(location.protocol) && ["127.0.0.1", "localhost", "[::1]"].includes(location.hostname);
+  return document.querySelector("meta[name=policy]") !== null;
 }
 
 /** A pair of the model as it was opened, which the server computes as fast as the machine can. */
