@@ -217,11 +217,13 @@ fn repeats(
         return None;
     }
     let ranges: Vec<(f64, f64)> = (0..n).map(|i| trajectory.extent(i, start, until)).collect();
-    let moves = ranges.iter().zip(lengths);
-    if !moves
-        .clone()
-        .any(|((lo, hi), l)| (hi - lo) * l >= MOVES * size)
-    {
+    // What goes on evenly repeats in any time.
+    let is_even = |i: usize| {
+        let half = trajectory.at(start + 0.5 * period, i) - trajectory.at(start, i);
+        steps[i] == Step::Any && (half - 0.5 * advance[i]).abs() * lengths[i] <= most
+    };
+    let moves = |i: usize| (ranges[i].1 - ranges[i].0) * lengths[i] >= MOVES * size;
+    if !(0..n).any(|i| moves(i) && !(advance[i] != 0.0 && is_even(i))) {
         return None;
     }
     for (i, gone) in advance.iter_mut().enumerate() {
