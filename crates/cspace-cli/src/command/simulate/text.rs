@@ -169,7 +169,7 @@ fn describe_event(text: &mut String, model: &Mechanism, event: &Event) -> fmt::R
     writeln!(text)
 }
 
-/// What an event happens to.
+/// Subject of an event, by name.
 fn named(model: &Mechanism, what: &What) -> String {
     match what {
         What::Contact {
@@ -186,7 +186,7 @@ fn named(model: &Mechanism, what: &What) -> String {
     }
 }
 
-/// What two features do.
+/// Conduct of two features, as a verb.
 fn does(conduct: Conduct) -> &'static str {
     match conduct {
         Conduct::Opens => "part",
