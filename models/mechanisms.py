@@ -207,7 +207,7 @@ as the beam: 2.25 E I / l, with 2 GPa, 2.6 by 6, and a length of 10. The flange 
 
 To be seen: the lead-in of the head meets the chamfer of the mouth, and the beam is bent until the barb stands in the mouth, 1.2 of
 deflection; it slides through, and snaps out behind the lip. Pulled out, the retention face, 10 deg from square, bends it
-again, because there is no friction here: with more than tan 10 deg it would hold.
+again. It would hold with a coefficient of friction beyond 0.52: the hinge lies beside the line of the pull.
 """)
     m.show("Can a stiff hook leave the catch?", ("catch", "hook"))
     m.part("catch", "The wall's face is the x axis, the mouth reaches from 0 to 3.9.", [("section", catch_section())], '{ type = "fixed" }')
