@@ -73,3 +73,13 @@ export async function downloaded(path: string): Promise<string> {
   }
   throw new Error(`${path} was not saved`);
 }
+
+/** The box of an element, by selector and index, once it stays where it is: answers that come later may move it. */
+export async function resting(page: Page, selector: string, index = 0): Promise<{ x: number; y: number; width: number; height: number }> {
+  for (let before = ""; ; await new Promise((wait) => setTimeout(wait, 150))) {
+    const box = await (await page.$$(selector))[index]?.boundingBox();
+    const now = JSON.stringify(box);
+    if (box && now === before) return box;
+    before = now;
+  }
+}

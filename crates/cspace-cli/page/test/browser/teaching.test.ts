@@ -8,7 +8,7 @@ import type { Page } from "puppeteer-core";
 import type { PlanarConfiguration } from "../../src/kernel/api.js";
 import { PATIENCE, addressOf, exported, load, drawn, long, open, serve, skip } from "../../tools/harness.js";
 import { run } from "../support/command.js";
-import { inBrowser, model, press, settled } from "./support.js";
+import { inBrowser, model, press, resting, settled } from "./support.js";
 
 /** The lens, and the play that is told, follow after so long (ms). */
 const PAUSE = 400;
@@ -131,8 +131,7 @@ describe("the page that tells", { skip }, () => {
     const { samples } = JSON.parse(text) as { samples: Record<string, number>[] };
     const page = await openModel(model("geneva"), "", ["--with", record]);
     assert.deepEqual(await page.$$eval("#graphs .strip b", (all) => all.map((e) => e.textContent)), ["wheel", "driver"]);
-    const plot = await (await page.$$("#graphs .plot"))[1]?.boundingBox();
-    assert.ok(plot);
+    const plot = await resting(page, "#graphs .plot", 1);
     await page.mouse.click(plot.x + plot.width - 0.5, plot.y + 8);
     await settled(page);
     const last = ((samples.at(-1)?.["driver"] ?? NaN) * 180) / Math.PI;
