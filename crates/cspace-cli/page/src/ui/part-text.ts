@@ -62,15 +62,17 @@ export function withPart(text: string, { name, shape, sizes, at, motion }: NewPa
   let n = 1;
   while (dimensions.some(([what]) => isUsed(`${what}_${n}`, text))) n += 1;
   const [first = "", second = ""] = dimensions.map(([what]) => `${what}_${n}`);
-  const lines = dimensions.map(([what, of], i) => `${what}_${n} = ${sizes[i]} # ${of}`);
+  const added = dimensions.map(([what, of], i) => `${what}_${n} = ${sizes[i]} # ${of}`);
   let parameters = blocks.find((b) => b.key === "parameter");
   if (!parameters) {
     parameters = { key: "parameter", lines: ["[parameter]", ""] };
     blocks.splice(1, 0, parameters);
     if (blocks[0]?.lines.at(-1)?.trim()) blocks[0].lines.push("");
   }
-  const end = parameters.lines.findLastIndex((line) => line.trim() !== "") + 1;
-  parameters.lines.splice(end, 0, ...lines);
+  const end = parameters.lines.join("\n").trimEnd().split("\n").length;
+  parameters.lines.splice(end, 0, ...added);
+  const pair = onlyPair(blocks);
+  if (pair) for (const { lines } of blocks.filter(isOfOnlyPair)) lines.splice(lines.findIndex((l) => HEADER.test(l)) + 1, 0, `pair = [${pair.map(quoted).join(", ")}]`);
   const others = blocks.some((b) => b.key === "pair") ? blocks.flatMap((b) => nameOf(b) ?? []) : [];
   const part = ["[[part]]", `name = ${quoted(name.trim())}`, ...motionOf(motion), `place = { at = ${pointOf(at)} }`, `loops = [${SHAPES[shape].loops(first, second)}]`];
   const pairs = others.map((other) => ["", "[[pair]]", `fixed = ${quoted(other)}`, `moving = ${quoted(name.trim())}`].join("\n"));
@@ -80,7 +82,8 @@ export function withPart(text: string, { name, shape, sizes, at, motion }: NewPa
 /** The text without a part, and without what names it: pairs, joints, drives, loads, springs, requirements, and parameters that nothing else uses. */
 export function withoutPart(text: string, name: string): string {
   const [head, ...blocks] = blocksOf(text);
-  const isGone = (b: Block) => nameOf(b) === name || (b.key !== "part" && namesIn(b).includes(name));
+  const isOfIt = onlyPair(blocks)?.includes(name) ? isOfOnlyPair : () => false;
+  const isGone = (b: Block) => nameOf(b) === name || (b.key !== "part" && namesIn(b).includes(name)) || isOfIt(b);
   const left = blocks.filter((b) => !isGone(b));
   const gone = textOf(blocks.filter(isGone));
   if (head && namesIn(head).includes(name)) head.lines = [head.lines.join("\n").replace(/,\s*pair\s*=\s*\[[^\]]*\]|pair\s*=\s*\[[^\]]*\]\s*,?\s*/, "")];
@@ -99,7 +102,8 @@ export function withName(text: string, from: string, to: string): string {
   const blocks = blocksOf(text);
   for (const block of blocks) {
     const isPart = nameOf(block) === from;
-    block.lines = (isPart ? block.lines.join("\n").replace(NAME, (line, string: string) => line.replace(string, () => quoted(to.trim()))) : block.lines.join("\n").replace(NAMED, (said) => said.replace(STRING, (string) => (valueOf(string) === from ? quoted(to.trim()) : string)))).split("\n");
+    const renamed = (said: string) => said.replace(STRING, (string) => (valueOf(string) === from ? quoted(to.trim()) : string));
+    block.lines = [block.lines.join("\n").replace(isPart ? NAME : NAMED, renamed)];
   }
   return textOf(blocks);
 }
@@ -126,7 +130,8 @@ function blocksOf(text: string): Block[] {
       last.lines.push(line);
       continue;
     }
-    const from = last.lines.findLastIndex((l) => !/^\s*#/.test(l)) + 1;
+    let from = last.lines.length;
+    while (from > 0 && /^\s*#/.test(last.lines[from - 1] ?? "")) from -= 1;
     // What stands at the top of the file is of the file.
     const comments = from === 0 ? [] : last.lines.splice(from);
     last = { key, lines: [...comments, line] };
@@ -144,6 +149,15 @@ function nameOf({ key, lines }: Block): string | null {
 }
 
 const namesIn = ({ lines }: Block): string[] => (lines.join("\n").match(NAMED) ?? []).flatMap((said) => (said.match(STRING) ?? []).map(valueOf));
+
+/** The names of the pair that need not be named, since it is the only one. */
+function onlyPair(blocks: readonly Block[]): string[] | null {
+  const listed = blocks.filter((b) => b.key === "pair");
+  const names = listed.length > 0 ? listed.flatMap(namesIn) : blocks.flatMap((b) => nameOf(b) ?? []);
+  return names.length === 2 ? names : null;
+}
+
+const isOfOnlyPair = (b: Block): boolean => b.key === "requirement" && namesIn(b).length === 0;
 
 /** What a string of TOML says; of one with escapes that JSON does not know, its text as it stands. */
 function valueOf(string: string): string {
