@@ -9,7 +9,7 @@ import { showScene } from "./entries.js";
 import { showModel } from "./files.js";
 import { gridStep, snapped } from "./grid.js";
 import { lengthStep } from "./numbers.js";
-import { boxOf, centerOf, emptyBox, grow, outlinePath, type Box } from "./outline.js";
+import { boxOf, centerOf, outlinePath, type Box } from "./outline.js";
 import { SHAPES, withName, withPart, withoutPart, wrongPart, wrongPartName, type NewPart, type Shape } from "./part-text.js";
 import type { Session } from "./session.js";
 import type { Viewport } from "./viewport.js";
@@ -19,6 +19,9 @@ const SIZES: Record<Shape, readonly number[]> = { rectangle: [3, 2], circle: [1]
 const STEPS = 10;
 /** Of a model without parts such a step is so long (its unit). */
 const USUAL_STEP = 10;
+
+/** Beside the parts so much of their extent is seen, into which the next one is dragged. */
+const ROOM = 0.3;
 
 /** What a motion is called, and what the two numbers are that it takes. */
 const MOTIONS: Record<SceneMotion["type"], [string, string | null]> = {
@@ -44,6 +47,7 @@ export function newModel(failed: (error: unknown) => void): void {
   dialog.addEventListener("close", () => dialog.remove());
   document.body.append(dialog);
   dialog.showModal();
+  name.select();
 }
 
 function blank(name: string, unit: string | null): Scene {
@@ -56,6 +60,7 @@ export class PartPanel {
   readonly #pin = svg("path", { class: "pin" });
   readonly #drawn = svg("g", { class: "part new" }, this.#outline, this.#pin);
   readonly #wrong = html("p", { class: "bad", role: "alert" });
+  readonly #lost = html("p", { class: "faint" });
   readonly #fields = html("div");
   readonly #add = button("Add part", () => this.#change((text) => withPart(text, this.#part)));
   #part: NewPart;
@@ -67,20 +72,20 @@ export class PartPanel {
     const at = { x: 0, y: 0 };
     this.#part = { name: `part ${n}`, shape: "rectangle", sizes: [], at, motion: { type: names.length === 0 ? "fixed" : "planar" } };
     this.#setShape("rectangle");
-    this.#put();
     const shape = this.#choice("shape", Object.keys(SHAPES).map((of) => [of, of]), this.#part.shape, (of) => this.#setShape(of as Shape));
     const motion = this.#choice("it", Object.entries(MOTIONS).map(([of, [text]]) => [of, text]), this.#part.motion.type, (of) => this.#setMotion(of as SceneMotion["type"]));
     const name = this.#text("name", this.#part.name, (text) => this.#set({ name: text }));
     const hint = html("p", { class: "faint" }, "Drag its outline to where it goes; with Alt it does not snap to the grid. Its dimensions become parameters of the model.");
-    byId("making").append(html("h2", {}, "Parts"), ...this.session.scene.parts.map((part) => this.#row(part.name)), html("h2", {}, "Next part"), shape, name, this.#fields, motion, hint, this.#wrong, html("div", { class: "buttons" }, this.#add));
+    byId("making").append(html("h2", {}, "Parts"), this.#lost, ...this.session.scene.parts.map((part) => this.#row(part.name)), html("h2", {}, "Next part"), shape, name, this.#fields, motion, hint, this.#wrong, html("div", { class: "buttons" }, this.#add));
     viewport.world.append(this.#drawn);
-    this.#follow(this.#outline, () => this.#part.at, (to) => this.#set({ at: to }));
+    this.#follow(this.#outline, () => this.#part.at, (to) => this.#moveTo(to));
     this.#follow(this.#pin, () => this.#place ?? at, (to) => this.#setPlace(to));
     session.store.subscribe((changed, { making }) => {
+      if (changed.has("parts")) say(this.#lost, editor && (!session.scene.source?.design || editor.edits.parts.length > 0) ? "A change here writes the model anew, with numbers alone: without its parameters, requirements and comments." : "");
       if (!changed.has("making")) return;
       byId("making").hidden = !making;
       set(this.#drawn, { visibility: making ? null : "hidden" });
-      if (making) viewport.fit(this.#box(true), 0.12);
+      if (making) viewport.fit(this.#box(true), ROOM);
     });
   }
 
@@ -96,11 +101,7 @@ export class PartPanel {
 
   /** Of all parts, with the next one or without. */
   #box(withNext: boolean): Box {
-    const box = emptyBox();
-    const loops = [...this.session.state.parts.flatMap((p) => p.loops), ...(withNext ? this.#loops() : [])];
-    const { x0, y0, x1, y1 } = boxOf(loops);
-    for (const p of [{ x: x0, y: y0 }, { x: x1, y: y1 }]) grow(box, p);
-    return box;
+    return boxOf([...this.session.state.parts.flatMap((p) => p.loops), ...(withNext ? this.#loops() : [])]);
   }
 
   /** How long a step of dimensions is. */
@@ -109,14 +110,20 @@ export class PartPanel {
     return x1 > x0 ? lengthStep(Math.max(x1 - x0, y1 - y0) / STEPS) : USUAL_STEP;
   }
 
+  /** Moves the part, with its pin. */
+  #moveTo(at: Place): void {
+    const { at: was, motion } = this.#part;
+    this.#set({ at });
+    if (motion.type === "revolute") this.#setPlace({ x: motion.center.x + at.x - was.x, y: motion.center.y + at.y - was.y });
+  }
+
   /** Puts the part beside the others. */
   #put(): void {
     const box = this.#box(false);
     if (!(box.x1 > box.x0)) return;
     const step = this.#step;
     const width = boxOf(this.#loops());
-    this.#set({ at: snapped({ x: box.x1 + step + (width.x1 - width.x0) / 2, y: centerOf(box).y }, step / 2) });
-    this.#drawFields();
+    this.#moveTo(snapped({ x: box.x1 + step + (width.x1 - width.x0) / 2, y: centerOf(box).y }, step / 2));
   }
 
   #setShape(shape: Shape): void {
@@ -124,6 +131,7 @@ export class PartPanel {
     // How many sides there are is no length.
     const sizes = Object.keys(SHAPES[shape].sizes).map((what, i) => (SIZES[shape][i] ?? 1) * (what === "sides" ? 1 : step));
     this.#set({ shape, sizes });
+    this.#put();
     this.#drawFields();
   }
 
