@@ -2,6 +2,7 @@
 
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
+import { join } from "node:path";
 import { test } from "node:test";
 import { Model } from "../build/kernel/cspace.js";
 import type { Scene } from "../src/scene.js";
@@ -39,6 +40,11 @@ for (const shape of Object.keys(SHAPES) as Shape[]) {
     assert.equal(twice.pairs.length, 1);
   });
 }
+
+test("docs/page.md shows what comes out", () => {
+  const text = withPart("", part({ sizes: [30, 20], motion: { type: "fixed" } }));
+  assert.ok(readFileSync(join(MODELS, "../docs/page.md"), "utf8").includes(`\`\`\`toml${text}\`\`\``), text);
+});
 
 test("motions are those that were chosen", () => {
   const motions: NewPart["motion"][] = [
