@@ -1,13 +1,14 @@
 /** In the side panel: the model's parts by their names, and the next part, which is drawn where it goes before it is added. Each change is a step that Undo takes back. */
 
 import { Model } from "../../build/kernel/cspace.js";
-import { SCENE_VERSION, type Place, type Scene, type SceneMotion } from "../scene.js";
+import { SCENE_VERSION, type Place, type Scene, type SceneMotion, type SceneVertex } from "../scene.js";
 import { button, byId, fileName, html, say, set, svg } from "./dom.js";
 import { typedNumber } from "./edit-panel.js";
 import type { Editor } from "./edit.js";
 import { showScene } from "./entries.js";
 import { showModel } from "./files.js";
 import { gridStep, snapped } from "./grid.js";
+import { failure } from "./message.js";
 import { lengthStep } from "./numbers.js";
 import { boxOf, centerOf, outlinePath, type Box } from "./outline.js";
 import { SHAPES, withName, withPart, withoutPart, wrongPart, wrongPartName, type NewPart, type Shape } from "./part-text.js";
@@ -40,7 +41,7 @@ export function newModel(failed: (error: unknown) => void): void {
   const unit = html("input", { type: "text", value: "mm", maxlength: 20, spellcheck: "false" });
   const begin = () => {
     dialog.close();
-    showScene(blank(name.value.trim(), unit.value.trim() || null)).catch(failed);
+    showScene(blank(name.value.trim() || "new model", unit.value.trim() || null)).catch(failed);
   };
   const buttons = html("div", { class: "buttons" }, button("Blank", begin), button("Cancel", () => dialog.close()));
   const dialog = html("dialog", { class: "new", "aria-label": "New model" }, html("label", {}, "Name", name), html("label", {}, "Unit", unit), buttons);
@@ -64,6 +65,8 @@ export class PartPanel {
   readonly #fields = html("div");
   readonly #add = button("Add part", () => this.#change((text) => withPart(text, this.#part)));
   #part: NewPart;
+  /** Its outline; none while it is wrong. */
+  #loops: SceneVertex[][] = [];
 
   constructor(private readonly session: Session, private readonly editor: Editor | null, private readonly viewport: Viewport, private readonly failed: (error: unknown) => void) {
     const names = this.#names;
@@ -101,7 +104,7 @@ export class PartPanel {
 
   /** Of all parts, with the next one or without. */
   #box(withNext: boolean): Box {
-    return boxOf([...this.session.state.parts.flatMap((p) => p.loops), ...(withNext ? this.#loops() : [])]);
+    return boxOf([...this.session.state.parts.flatMap((p) => p.loops), ...(withNext ? this.#loops : [])]);
   }
 
   /** How long a step of dimensions is. */
@@ -122,8 +125,8 @@ export class PartPanel {
     const box = this.#box(false);
     if (!(box.x1 > box.x0)) return;
     const step = this.#step;
-    const width = boxOf(this.#loops());
-    this.#moveTo(snapped({ x: box.x1 + step + (width.x1 - width.x0) / 2, y: centerOf(box).y }, step / 2));
+    const { x0, x1 } = boxOf(this.#loops);
+    this.#moveTo(snapped({ x: box.x1 + step + (x1 - x0) / 2, y: centerOf(box).y }, step / 2));
   }
 
   #setShape(shape: Shape): void {
@@ -150,22 +153,26 @@ export class PartPanel {
 
   #set(part: Partial<NewPart>): void {
     this.#part = { ...this.#part, ...part };
-    const wrong = wrongPart(this.#part, this.#names);
+    const wrong = this.#read() ?? wrongPart(this.#part, this.#names);
     say(this.#wrong, wrong ?? "");
     this.#add.disabled = wrong !== null;
-    set(this.#outline, { d: outlinePath(this.#loops()) });
+    set(this.#outline, { d: outlinePath(this.#loops) });
     const { motion } = this.#part;
     set(this.#pin, { d: motion.type === "revolute" ? `M${motion.center.x} ${motion.center.y}h0` : "" });
   }
 
-  /** The outline as the kernel reads it; none of what is wrong. */
-  #loops(): Scene["parts"][number]["loops"] {
-    if (wrongPart({ ...this.#part, name: "-" }, []) !== null) return [];
-    const model = Model.read(withPart("", this.#part), "the next part");
+  /** Has the kernel read the outline; what is wrong with it, and null if nothing is. */
+  #read(): string | null {
+    this.#loops = [];
+    const wrong = wrongPart({ ...this.#part, name: "-" }, []);
+    if (wrong !== null) return wrong;
     try {
-      return (JSON.parse(model.scene()) as Scene).parts[0]?.loops ?? [];
-    } finally {
+      const model = Model.read(withPart("", this.#part), "the next part");
+      this.#loops = (JSON.parse(model.scene()) as Scene).parts[0]?.loops ?? [];
       model.free();
+      return null;
+    } catch (error) {
+      return failure(error)?.text ?? null;
     }
   }
 

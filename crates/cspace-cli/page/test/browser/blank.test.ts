@@ -22,6 +22,9 @@ describe("a model from nothing in a browser", { skip: skip || long }, () => {
   const headline = (page: Page): Promise<string> => page.$eval(".headline", (e) => e.textContent ?? "");
   const wrong = (page: Page): Promise<string> => page.$eval("#making .bad", (e) => e.textContent ?? "");
 
+  /** Clicks a button after which the page is loaded again. */
+  const leave = (page: Page, text: string): Promise<void> => page.click(`::-p-xpath(//button[normalize-space()="${text}"])`);
+
   /** Types into the field of a label. */
   async function type(page: Page, label: string, text: string): Promise<void> {
     const field = await page.waitForSelector(`::-p-xpath(//section[@id="making"]//label[starts-with(normalize-space(), "${label}")]/input)`, { timeout: PATIENCE });
@@ -37,7 +40,7 @@ describe("a model from nothing in a browser", { skip: skip || long }, () => {
     suite.opened = await open(suite.browser, addressOf(exported(model("peg_hole"), suite.folder)));
     const { page } = suite.opened;
     await press(page, "New");
-    await press(page, "Blank");
+    await leave(page, "Blank");
     await shows(page, 0);
     // The first is fixed; a dimension that is none is refused in words.
     await type(page, "width", "-4");
@@ -45,7 +48,7 @@ describe("a model from nothing in a browser", { skip: skip || long }, () => {
     assert.ok(await page.$eval("::-p-xpath(//button[.='Add part'])", (b) => (b as HTMLButtonElement).disabled));
     await type(page, "width", "44");
     assert.equal(await wrong(page), "");
-    await press(page, "Add part");
+    await leave(page, "Add part");
     await shows(page, 1);
     // Its parameters are there at once, and it follows them.
     await type(page, "name", "part 1");
@@ -66,7 +69,7 @@ describe("a model from nothing in a browser", { skip: skip || long }, () => {
     const [atX, atY] = [await field("at x"), await field("at y")];
     assert.ok(atX > x && atY > y, `${atX}, ${atY}`);
     assert.deepEqual([await field("pin x"), await field("pin y")], [atX, atY]);
-    await press(page, "Add part");
+    await leave(page, "Add part");
     await shows(page, 2);
     assert.match(await headline(page), /^cam turns /);
     const client = await page.createCDPSession();
