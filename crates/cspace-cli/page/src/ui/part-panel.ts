@@ -24,6 +24,9 @@ const USUAL_STEP = 10;
 /** Beside the parts so much of their extent is seen, into which the next one is dragged. */
 const ROOM = 0.3;
 
+/** Of a model whose text is not here, or that was edited by hand. */
+const LOST = "A change here writes the model anew, with numbers alone: without its parameters, requirements and comments.";
+
 /** What a motion is called, and what the two numbers are that it takes. */
 const MOTIONS: Record<SceneMotion["type"], [string, string | null]> = {
   fixed: ["is fixed", null],
@@ -52,7 +55,8 @@ export function newModel(failed: (error: unknown) => void): void {
 }
 
 function blank(name: string, unit: string | null): Scene {
-  return { format: "cspace-scene", version: SCENE_VERSION, name, unit, parts: [], joints: [], pairs: [], show: { pair: null, question: null, view: null }, records: [], design: null, source: null };
+  const show = { pair: null, question: null, view: null };
+  return { format: "cspace-scene", version: SCENE_VERSION, name, unit, parts: [], joints: [], pairs: [], show, records: [], design: null, source: null };
 }
 
 export class PartPanel {
@@ -79,12 +83,14 @@ export class PartPanel {
     const motion = this.#choice("it", Object.entries(MOTIONS).map(([of, [text]]) => [of, text]), this.#part.motion.type, (of) => this.#setMotion(of as SceneMotion["type"]));
     const name = this.#text("name", this.#part.name, (text) => this.#set({ name: text }));
     const hint = html("p", { class: "faint" }, "Drag its outline to where it goes; with Alt it does not snap to the grid. Its dimensions become parameters of the model.");
-    byId("making").append(html("h2", {}, "Parts"), this.#lost, ...this.session.scene.parts.map((part) => this.#row(part.name)), html("h2", {}, "Next part"), shape, name, this.#fields, motion, hint, this.#wrong, html("div", { class: "buttons" }, this.#add));
+    byId("making").append(html("h2", {}, "Parts"), this.#lost, ...names.map((of) => this.#row(of)), html("h2", {}, "Next part"));
+    byId("making").append(shape, name, this.#fields, motion, hint, this.#wrong, html("div", { class: "buttons" }, this.#add));
     viewport.world.append(this.#drawn);
     this.#follow(this.#outline, () => this.#part.at, (to) => this.#moveTo(to));
     this.#follow(this.#pin, () => this.#place ?? at, (to) => this.#setPlace(to));
     session.store.subscribe((changed, { making }) => {
-      if (changed.has("parts")) say(this.#lost, editor && (!session.scene.source?.design || editor.edits.parts.length > 0) ? "A change here writes the model anew, with numbers alone: without its parameters, requirements and comments." : "");
+      const isLost = editor && (!session.scene.source?.design || editor.edits.parts.length > 0);
+      if (changed.has("parts")) say(this.#lost, isLost ? LOST : "");
       if (!changed.has("making")) return;
       byId("making").hidden = !making;
       set(this.#drawn, { visibility: making ? null : "hidden" });
@@ -140,8 +146,8 @@ export class PartPanel {
 
   #setMotion(type: SceneMotion["type"]): void {
     const { at } = this.#part;
-    const motions = { fixed: { type: "fixed" }, planar: { type: "planar" }, revolute: { type: "revolute", center: at, range: null }, prismatic: { type: "prismatic", direction: { x: 1, y: 0 }, range: null } } as const;
-    this.#set({ motion: motions[type] });
+    const [revolute, prismatic] = [{ type: "revolute", center: at, range: null }, { type: "prismatic", direction: { x: 1, y: 0 }, range: null }] as const;
+    this.#set({ motion: type === "revolute" ? revolute : type === "prismatic" ? prismatic : { type } });
     this.#drawFields();
   }
 
@@ -180,7 +186,7 @@ export class PartPanel {
     const { shape, sizes, at, motion } = this.#part;
     const unit = this.session.scene.unit ? ` (${this.session.scene.unit})` : "";
     const number = (name: string, value: number, change: (value: number) => void) => this.#text(name, String(value), (text) => change(typedNumber(text) ?? NaN), "number");
-    const both = (name: string, { x, y }: Place, change: (to: Partial<Place>) => void) => [number(`${name} x`, x, (to) => change({ x: to })), number(`${name} y`, y, (to) => change({ y: to }))];
+    const both = (name: string, p: Place, change: (to: Partial<Place>) => void) => (["x", "y"] as const).map((k) => number(`${name} ${k}`, p[k], (to) => change({ [k]: to })));
     const dimensions = Object.keys(SHAPES[shape].sizes).map((what, i) =>
       number(what === "sides" ? what : `${what}${unit}`, sizes[i] ?? NaN, (to) => this.#set({ sizes: this.#part.sizes.map((s, k) => (k === i ? to : s)) })),
     );
