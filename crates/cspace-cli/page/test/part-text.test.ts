@@ -59,7 +59,7 @@ test("motions are those that were chosen", () => {
 
 for (const file of models()) {
   test(`${file.slice(MODELS.length + 1)} gets a part, which is renamed and removed`, () => {
-    const text = readFileSync(file, "utf8")/*OLD*/.replace(/^show = .*\n/m, "");
+    const text = readFileSync(file, "utf8");
     const before = sceneOf(text);
     const names = before.parts.map((p) => p.name);
     const added = withPart(text, part({ name: "new one", at: { x: 1e4, y: 0 } }));

@@ -80,7 +80,7 @@ export class PartPanel {
     this.#part = { name: `part ${n}`, shape: "rectangle", sizes: [], at, motion: { type: names.length === 0 ? "fixed" : "planar" } };
     this.#setShape("rectangle");
     const shape = this.#choice("shape", Object.keys(SHAPES).map((of) => [of, of]), this.#part.shape, (of) => this.#setShape(of as Shape));
-    const motion = this.#choice("it", Object.entries(MOTIONS).map(([of, [text]]) => [of, text]), this.#part.motion.type, (of) => this.#setMotion(of as SceneMotion["type"]));
+    const motion = this.#choice("motion", Object.entries(MOTIONS).map(([of, [text]]) => [of, text]), this.#part.motion.type, (of) => this.#setMotion(of as SceneMotion["type"]));
     const name = this.#text("name", this.#part.name, (text) => this.#set({ name: text }));
     const hint = html("p", { class: "faint" }, "Drag its outline to where it goes; with Alt it does not snap to the grid. Its dimensions become parameters of the model.");
     byId("making").append(html("h2", {}, "Parts"), this.#lost, ...names.map((of) => this.#row(of)), html("h2", {}, "Next part"));
