@@ -151,7 +151,7 @@ export function openPage({ scene, isOpened }: Shown, worker: string): Promise<vo
     removeVertex: () => editor?.removeSelected(),
     toggleWhole: () => store.change({ whole: !store.state.whole, held: null }),
     toggleCompare: () => comparison.toggle(),
-    leave: () => store.change({ measuring: false, editing: false, making: false, compared: null, traced: store.state.traced === "next" ? null : store.state.traced }),
+    leave: () => store.change({ measuring: false, editing: false, making: isBlank(scene), compared: null, traced: store.state.traced === "next" ? null : store.state.traced }),
     wayOut: (widest) => void ways?.out(widest).catch(failed),
     playMechanism: () => void ways?.mechanism().catch(failed),
     takeApart: () => void ways?.apart().catch(failed),

@@ -6,7 +6,6 @@ import { canKeep } from "./compare.js";
 import { button, byId, html, say, set } from "./dom.js";
 import type { Editor } from "./edit.js";
 import { canStepForth, isStep } from "./entries.js";
-import { isBlank } from "./part-panel.js";
 import type { Session } from "./session.js";
 import type { Key } from "./state.js";
 import { themeText } from "./theme.js";
@@ -38,7 +37,6 @@ export class Toolbar {
     const fit = tool("Fit", "Show everything (f)", actions.fit);
     const measure = tool("Measure", "Click two corners or edges of parts: their distance is shown, and follows them (m)", actions.toggleMeasure);
     const edit = editor ? tool("Edit", "Drag vertices, arcs and pivots", actions.toggleEdit) : null;
-    const parts = editor || isBlank(session.scene) ? tool("Parts", "Add parts, rename and remove them", actions.toggleParts) : null;
     tool("New", "Begin a model from nothing", actions.newModel);
     tool("Open", "Open a model (TOML) or a drawing (DXF, SVG), or play what cspace plan or cspace simulate printed", actions.openRecord);
     tool("SVG", "Save a picture as SVG; with Shift in the colours of the page", (event) => actions.saveSvg(event.shiftKey));
@@ -54,6 +52,7 @@ export class Toolbar {
     changes.hidden = !editor;
     const undo = tool("Undo", "Take the last change back (Ctrl-Z)", actions.undo, changes);
     const redo = tool("Redo", "Make it again (Ctrl-Shift-Z)", actions.redo, changes);
+    const parts = tool("Parts", "Add parts, rename and remove them", actions.toggleParts, changes);
     tool("Save model", "Save the model as it is changed (TOML)", actions.saveModel, changes);
     const out = tool("Way out", "Plan a way from here to where the moving part is free, and play it; with Shift the widest", (event) => actions.wayOut(event.shiftKey), ways);
     const play = tool("Play mechanism", "Play the whole mechanism, as its drives move it", actions.playMechanism, ways);
