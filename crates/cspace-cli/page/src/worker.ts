@@ -1,6 +1,7 @@
 /** The worker: it computes what takes longer than a frame. */
 
 import { Hand, Model } from "../build/kernel/cspace.js";
+import type { Scene, SceneSource } from "./scene.js";
 import { use } from "./kernel/load.js";
 import type { Answer, MechanismDrag, Request, Start } from "./ui/workshop.js";
 
@@ -8,6 +9,7 @@ import type { Answer, MechanismDrag, Request, Start } from "./ui/workshop.js";
 interface Known {
   source: string;
   model: Model;
+  hasPairs: boolean;
   /** The mechanism that was dragged last, and its edits. */
   hand: { hand: Hand; edits: string } | null;
 }
@@ -17,7 +19,8 @@ let known: Known | null = null;
 self.onmessage = ({ data }: MessageEvent<Start | Request>) => {
   if ("module" in data) {
     use(data.module);
-    known = { source: data.source, model: Model.fromSource(data.source), hand: null };
+    const { pairs } = JSON.parse(data.source) as SceneSource;
+    known = { source: data.source, model: Model.fromSource(data.source), hasPairs: pairs.length > 0, hand: null };
     return;
   }
   const answer = (part: Omit<Answer, "id">) => self.postMessage({ id: data.id, ...part });
@@ -35,7 +38,7 @@ function done(known: Known, asked: Request): string {
     case "pair":
       return model.pair(asked.pair);
     case "edit":
-      return model.edit(asked.pair, asked.edits);
+      return known.hasPairs ? model.edit(asked.pair, asked.edits) : edited(model.toml(asked.edits));
     case "toml":
       return model.toml(asked.edits);
     case "plan":
@@ -55,6 +58,14 @@ function done(known: Known, asked: Request): string {
     case "drag":
       return JSON.stringify(dragged(known, asked.edits, asked.drag));
   }
+}
+
+/** The answer to an edit of a model without pairs. */
+function edited(text: string): string {
+  const model = Model.read(text, "the model of this page");
+  const { parts, design } = JSON.parse(model.scene()) as Scene;
+  model.free();
+  return JSON.stringify({ pair: { seconds: 0 }, parts, design });
 }
 
 function dragged(known: Known, edits: string, { part, of, to, state }: MechanismDrag): unknown {

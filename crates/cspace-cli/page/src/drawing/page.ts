@@ -7,6 +7,7 @@ import { chooseFile, listenToDrops, showFile, showModel } from "../ui/files.js";
 import { answer, failure, messageDrawn, note, showMessage } from "../ui/message.js";
 import type { Message } from "../ui/state.js";
 import { makeHelp } from "../ui/help.js";
+import { newModel } from "../ui/part-panel.js";
 import { length, short } from "../ui/numbers.js";
 import { boxOf, centerOf, curvePath, outlinePath } from "../ui/outline.js";
 import { regionColour } from "../ui/colours.js";
@@ -137,6 +138,7 @@ export function openDrawing(scene: DrawingScene): void {
   const clear = tool("Clear", "Take all parts back", () => change(NOTHING));
   const saving = tool("Save model", "Save the parts as a model (TOML)", save);
   const opening = tool("Show motion", "Show two parts or more, and their configuration spaces", open);
+  tool("New", "Begin a model from nothing", () => newModel(failed));
   tool("Open file", "Open another drawing (DXF, SVG) or a model (TOML)", () => chooseFile(".dxf,.svg,.toml", taken));
   const theme: HTMLButtonElement = tool(themeText("auto"), "Light, dark, or as the system", () => say(theme, themeText(nextTheme())));
   tool("?", "Help", makeHelp().show).setAttribute("aria-label", "Help");

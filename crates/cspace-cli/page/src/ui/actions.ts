@@ -11,6 +11,8 @@ export interface Actions {
   toggleTheme(): void;
   toggleEdit(): void;
   toggleMeasure(): void;
+  toggleParts(): void;
+  newModel(): void;
   fit(): void;
   help(): void;
   play(): void;

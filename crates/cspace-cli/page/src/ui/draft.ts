@@ -3,7 +3,7 @@
 import { identity } from "./address.js";
 import { button, html } from "./dom.js";
 import type { Editor } from "./edit.js";
-import { isLeaving } from "./entries.js";
+import { isLeaving, isUnsavedStep } from "./entries.js";
 import { keeping, kept } from "./kept.js";
 import { failure } from "./message.js";
 import type { Session } from "./session.js";
@@ -36,6 +36,6 @@ export function keepDraft(parent: HTMLElement, session: Session, editor: Editor)
   });
   window.addEventListener("beforeunload", (event) => {
     // Back leads to the address, which has the changes.
-    if (!editor.isSaved && !isLeaving()) event.preventDefault();
+    if ((!editor.isSaved || isUnsavedStep()) && !isLeaving()) event.preventDefault();
   });
 }

@@ -101,7 +101,7 @@ function refusal(name: string): string {
 }
 
 /** What is typed into a field for numbers, which is empty where it is none. */
-function typedNumber(text: string): number | null {
+export function typedNumber(text: string): number | null {
   const value = text.trim() === "" ? NaN : Number(text);
   return isUsable(value) ? value : null;
 }

@@ -12,6 +12,10 @@ import { textOf } from "./dom.js";
 interface Entry {
   /** The key under which the scene is kept; empty of the scene that is in the page. */
   opened: string;
+  /** Of a model that a change made of the one before, to which Undo leads: whether it is in a file. */
+  step?: "saved" | "unsaved";
+  /** Whether Redo leads to the next. */
+  isUndone?: boolean;
 }
 
 export interface Shown {
@@ -44,12 +48,24 @@ function replaced(address?: string): boolean {
   }
 }
 
-/** Shows another scene in this page, which is loaded again for it. */
-export async function showScene(scene: Scene | DrawingScene): Promise<void> {
+export const isStep = (): boolean => shown.step !== undefined;
+export const isUnsavedStep = (): boolean => shown.step === "unsaved";
+export const canStepForth = (): boolean => shown.isUndone === true;
+
+export function markStepSaved(): void {
+  if (!isStep()) return;
+  shown.step = "saved";
+  replaced();
+}
+
+/** Shows another scene in this page, which is loaded again for it; `isStep` if it is the present one with a change. */
+export async function showScene(scene: Scene | DrawingScene, isStep = false): Promise<void> {
   const key = `${PREFIX}${Date.now()} ${Math.random()}`;
   const name = scene.format === "cspace-drawing" ? scene.source.name : scene.name;
   keep(key, await pack(JSON.stringify(scene)), name);
-  history.pushState({ opened: key } satisfies Entry, "", "#");
+  shown.isUndone = isStep;
+  replaced();
+  history.pushState({ opened: key, ...(isStep ? { step: "unsaved" } : {}) } satisfies Entry, "", "#");
   load();
 }
 

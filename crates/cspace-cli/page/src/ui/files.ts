@@ -26,11 +26,11 @@ export async function showFile(file: File, tell: (message: string) => void): Pro
   return true;
 }
 
-/** Shows a model in this page: TOML. */
-export async function showModel(text: string, name: string): Promise<void> {
+/** Shows a model in this page: TOML; `isStep` if it is the present one with a change. */
+export async function showModel(text: string, name: string, isStep = false): Promise<void> {
   const model = readModel(text, name);
   try {
-    await showScene(JSON.parse(model.scene()) as Scene);
+    await showScene(JSON.parse(model.scene()) as Scene, isStep);
   } finally {
     model.free();
   }

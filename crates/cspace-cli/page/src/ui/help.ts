@@ -14,7 +14,7 @@ const KEYS: [string[], string][] = [
   [["Space"], "play or pause a record"],
   [["Delete"], "remove the selected vertex; also Alt-click on it"],
   [["Ctrl", "z"], "undo an edit; with Shift redo it"],
-  [["Escape"], "leave Measure, Edit and A | B"],
+  [["Escape"], "leave Measure, Edit, Parts and A | B"],
   [["?"], "this help"],
 ];
 

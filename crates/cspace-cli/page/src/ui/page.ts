@@ -11,7 +11,7 @@ import { DesignPanel } from "./design-panel.js";
 import { keepDraft } from "./draft.js";
 import { EditPanel } from "./edit-panel.js";
 import { Editor } from "./edit.js";
-import { writeFragment } from "./entries.js";
+import { canStepForth, isStep, markStepSaved, writeFragment } from "./entries.js";
 import { chooseFile, listenToDrops, showFile } from "./files.js";
 import { Graphs } from "./graphs.js";
 import { makeHelp } from "./help.js";
@@ -20,6 +20,7 @@ import { listenToKeys } from "./keys.js";
 import { Legend } from "./legend.js";
 import { MechanismHand } from "./mechanism-hand.js";
 import { answer, failure, showMessage } from "./message.js";
+import { PartPanel, isBlank, newModel } from "./part-panel.js";
 import { PartsView } from "./parts-view.js";
 import { picture, pngFile, svgFile, type Pane } from "./pictures.js";
 import { PlaneView } from "./plane-view.js";
@@ -122,6 +123,7 @@ export function openPage({ scene, isOpened }: Shown, worker: string): Promise<vo
   const save = (text: string) => {
     download(fileName(scene.name, "toml"), new Blob([text], { type: "application/toml" }));
     editor?.markSaved();
+    markStepSaved();
     const isPlain = scene.design !== null && !/^\s*\[+(parameter|requirement)/m.test(text);
     if (isPlain) store.change({ message: answer("The model is saved with numbers alone: its parameters and requirements are left out, since parts were edited by hand or the file is JSON.") });
   };
@@ -132,6 +134,8 @@ export function openPage({ scene, isOpened }: Shown, worker: string): Promise<vo
     toggleColouring: () => store.change({ colouring: store.state.colouring === "kind" ? "region" : "kind" }),
     toggleTheme: () => store.change({ theme: NEXT_THEME[store.state.theme] }),
     toggleMeasure: () => store.change({ measuring: !store.state.measuring }),
+    toggleParts: () => store.change({ making: !store.state.making }),
+    newModel: () => newModel(failed),
     toggleEdit: () => editor && store.change({ editing: !store.state.editing }),
     fit: () => {
       if (store.state.hidden.size > 0) store.change({ hidden: new Set() });
@@ -142,12 +146,12 @@ export function openPage({ scene, isOpened }: Shown, worker: string): Promise<vo
     },
     help: help.show,
     play: () => timeline.toggle(),
-    undo: () => editor?.undo(),
-    redo: () => editor?.redo(),
+    undo: () => (editor?.canUndo ? editor.undo() : isStep() && history.back()),
+    redo: () => (editor?.canRedo ? editor.redo() : canStepForth() && history.forward()),
     removeVertex: () => editor?.removeSelected(),
     toggleWhole: () => store.change({ whole: !store.state.whole, held: null }),
     toggleCompare: () => comparison.toggle(),
-    leave: () => store.change({ measuring: false, editing: false, compared: null, traced: store.state.traced === "next" ? null : store.state.traced }),
+    leave: () => store.change({ measuring: false, editing: false, making: isBlank(scene), compared: null, traced: store.state.traced === "next" ? null : store.state.traced }),
     wayOut: (widest) => void ways?.out(widest).catch(failed),
     playMechanism: () => void ways?.mechanism().catch(failed),
     takeApart: () => void ways?.apart().catch(failed),
@@ -158,6 +162,7 @@ export function openPage({ scene, isOpened }: Shown, worker: string): Promise<vo
     savePage: () => {
       download(fileName(scene.name, "html"), new Blob([pageFile(scene, addressNow())], { type: "text/html" }));
       editor?.markSaved();
+      markStepSaved();
     },
   };
   showHints(byId("hints"), session);
@@ -167,6 +172,7 @@ export function openPage({ scene, isOpened }: Shown, worker: string): Promise<vo
     design = new DesignPanel(session, editor, () => new Workshop(worker, source));
     new EditPanel(session, editor, actions);
   }
+  if (editor || isBlank(scene)) new PartPanel(session, editor, partsView.viewport, failed);
   listenToKeys(session, actions, { parts: partsView.viewport, plane: planeView.viewport });
   listenToDrops((file) => void openFile(file).catch(failed));
 
@@ -216,7 +222,7 @@ export function openPage({ scene, isOpened }: Shown, worker: string): Promise<vo
       timeline.showStart();
       partsView.fit();
     });
-  else store.change({ space: { state: "none", reason: "The model has no pairs.", error: false } });
+  else store.change({ space: { state: "none", reason: scene.parts.length < 2 ? "Two parts have a configuration space: add them with Parts." : "The model has no pairs.", error: false } });
   window.cspace = pageInterface(session, () => ready, (pair) => begin(select(pair)));
   return ready;
 }

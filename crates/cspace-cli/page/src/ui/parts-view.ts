@@ -13,7 +13,7 @@ import { isAt, partAt, touchesAt } from "./heights.js";
 import { lowerPair } from "./lower.js";
 import { Measure } from "./measure.js";
 import { placed } from "./mechanism.js";
-import { boxOf, centerOf, edgeOf, edgePath, emptyBox, featurePlace, grow, outlinePath } from "./outline.js";
+import { boxOf, centerOf, edgeOf, edgePath, emptyBox, featurePlace, grow, growBy, outlinePath } from "./outline.js";
 import { PartNames } from "./part-names.js";
 import { IDENTITY, TURN, apply, coordinateOf, inverse, ofMotion, rotate, shortestTurn, unit, type Placement } from "./placement.js";
 import type { MechanismHand } from "./mechanism-hand.js";
@@ -26,6 +26,8 @@ const NORMAL_ARROW = 34;
 const PIVOT = 7;
 /** With Shift a dragged part is turned: a half turn for 360 pixels. */
 const RADIANS_PER_PIXEL = TURN / 720;
+/** What is seen where there is no part (model unit). */
+const EMPTY = [-60, -40, 60, 40];
 /** A record is seen whole if about so many of its steps are. */
 const FITTED_STEPS = 60;
 
@@ -88,6 +90,7 @@ export class PartsView {
   fit(): void {
     const box = emptyBox();
     const { parts } = this.#session.state;
+    if (parts.length === 0) growBy(box, EMPTY);
     const boxes = parts.map((part) => boxOf(part.loops));
     for (const placements of this.#wayPlacements()) {
       boxes.forEach((of, i) => {

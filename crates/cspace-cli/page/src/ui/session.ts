@@ -63,6 +63,7 @@ export class Session {
       speed: 1,
       stale: false,
       editing: false,
+      making: scene.parts.length < 2,
       height: address.height ?? USUAL.height,
       measuring: false,
       outdated: false,

@@ -84,6 +84,8 @@ export interface State {
   /** Whether the record is of the model before it was changed. */
   stale: boolean;
   editing: boolean;
+  /** Whether parts are added, renamed and removed. */
+  making: boolean;
   /** The height that is looked at alone, of parts that are stacks of layers; null for all. */
   height: number | null;
   /** Whether clicks on parts measure distances. */

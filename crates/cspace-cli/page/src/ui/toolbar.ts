@@ -5,6 +5,7 @@ import { isAssembly } from "./assembly-record.js";
 import { canKeep } from "./compare.js";
 import { button, byId, html, say, set } from "./dom.js";
 import type { Editor } from "./edit.js";
+import { canStepForth, isStep } from "./entries.js";
 import type { Session } from "./session.js";
 import type { Key } from "./state.js";
 import { themeText } from "./theme.js";
@@ -36,6 +37,7 @@ export class Toolbar {
     const fit = tool("Fit", "Show everything (f)", actions.fit);
     const measure = tool("Measure", "Click two corners or edges of parts: their distance is shown, and follows them (m)", actions.toggleMeasure);
     const edit = editor ? tool("Edit", "Drag vertices, arcs and pivots", actions.toggleEdit) : null;
+    tool("New", "Begin a model from nothing", actions.newModel);
     tool("Open", "Open a model (TOML) or a drawing (DXF, SVG), or play what cspace plan or cspace simulate printed", actions.openRecord);
     tool("SVG", "Save a picture as SVG; with Shift in the colours of the page", (event) => actions.saveSvg(event.shiftKey));
     tool("PNG", "Save a picture as PNG; with Shift in the colours of the page", (event) => actions.savePng(event.shiftKey));
@@ -50,6 +52,7 @@ export class Toolbar {
     changes.hidden = !editor;
     const undo = tool("Undo", "Take the last change back (Ctrl-Z)", actions.undo, changes);
     const redo = tool("Redo", "Make it again (Ctrl-Shift-Z)", actions.redo, changes);
+    const parts = tool("Parts", "Add parts, rename and remove them", actions.toggleParts, changes);
     tool("Save model", "Save the model as it is changed (TOML)", actions.saveModel, changes);
     const out = tool("Way out", "Plan a way from here to where the moving part is free, and play it; with Shift the widest", (event) => actions.wayOut(event.shiftKey), ways);
     const play = tool("Play mechanism", "Play the whole mechanism, as its drives move it", actions.playMechanism, ways);
@@ -62,8 +65,8 @@ export class Toolbar {
     session.store.subscribe((changed, state) => {
       if ((["scene", "space", "checked", "compared"] as Key[]).some((k) => changed.has(k))) canKeep(session, compare);
       if (changed.has("scene") || changed.has("parts")) {
-        undo.disabled = !editor?.canUndo;
-        redo.disabled = !editor?.canRedo;
+        undo.disabled = !editor?.canUndo && !isStep();
+        redo.disabled = !editor?.canRedo && !canStepForth();
       }
       if (changed.has("pair")) choice.selectedIndex = state.pair;
       const pressed = (b: HTMLElement | null, on: boolean) => b && set(b, { "aria-pressed": String(on) });
@@ -73,6 +76,7 @@ export class Toolbar {
       pressed(colours, state.colouring === "kind");
       pressed(cut, state.cut);
       pressed(edit, state.editing);
+      pressed(parts, state.making);
       pressed(measure, state.measuring);
       pressed(whole, state.whole);
       pressed(compare, state.compared !== null);

@@ -55,7 +55,7 @@ describe("the page at every size", { skip: skip || long }, () => {
       assert.deepEqual(await covered(page, all), [], `${size.width}`);
       await page.$$eval("#tools button", (buttons) => (buttons.find((b) => b.textContent === "Edit") as HTMLElement).click());
       await settled(page);
-      assert.equal(await page.$$eval("#edit .buttons button, #changes button", (e) => e.length), 5);
+      assert.equal(await page.$$eval("#edit .buttons button, #changes button", (e) => e.length), 6);
       assert.deepEqual(await covered(page, all), [], `${size.width}, edited`);
       await page.$eval("#side", (e) => e.scrollTo(0, e.scrollHeight));
       assert.deepEqual(await covered(page, headline), [], `${size.width}, verdict`);
