@@ -60,7 +60,7 @@ function blank(name: string, unit: string | null): Scene {
 }
 
 export class PartPanel {
-  readonly #outline = svg("path", { class: "outline" });
+  readonly #outline = svg("path", { class: "drafted" });
   /** A point of no length, as wide as its stroke. */
   readonly #pin = svg("path", { class: "pin" });
   readonly #drawn = svg("g", { class: "part new" }, this.#outline, this.#pin);

@@ -60,7 +60,7 @@ describe("a model from nothing in a browser", { skip: skip || long }, () => {
     // It is taken beside its pin, which goes with it.
     const field = (label: string) => page.$eval(`::-p-xpath(//section[@id="making"]//label[normalize-space()="${label}"]/input)`, (e) => Number((e as HTMLInputElement).value));
     const [x, y] = [await field("at x"), await field("at y")];
-    const box = (await (await page.$(".part.new .outline"))?.boundingBox())!;
+    const box = (await (await page.$(".part.new .drafted"))?.boundingBox())!;
     const [px, py] = [box.x + box.width / 6, box.y + box.height / 2];
     await page.mouse.move(px, py);
     await page.mouse.down();
