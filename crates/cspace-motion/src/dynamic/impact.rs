@@ -4,7 +4,7 @@ use super::flow::ZERO;
 use super::motion::Ended;
 use super::run::Run;
 use super::step::Span;
-use super::world::{Acting, World};
+use super::world::{Acting, Surface, World};
 use crate::complementarity::{Bearing, Mode, Problem, Solution};
 
 /// Number of impacts within [`CROWD`] of the simulated time after which impacts no longer bounce.
@@ -20,7 +20,10 @@ impl<W: World + ?Sized> Run<'_, W> {
         let surface = |i: usize| {
             let surface = self.flow.world.surface(i);
             let restitution = if crowded { 0.0 } else { surface.restitution };
-            (surface.friction, restitution)
+            Surface {
+                restitution,
+                ..surface
+            }
         };
         let problem = self.impulses(closed, &surface);
         let solutions = problem.solutions();
@@ -41,7 +44,7 @@ impl<W: World + ?Sized> Run<'_, W> {
         let world = self.flow.world;
         let closed = world.closed(self.state.t, &self.state.q);
         let withstands = |set: &Vec<usize>| {
-            let mut problem = self.impulses(set, &|_| (0.0, 0.0));
+            let mut problem = self.impulses(set, &|_| Surface::DEAD);
             let sides = |(&i, bearing): (&usize, &Bearing)| {
                 let friction = world.surface(i).friction;
                 [friction, -friction].map(|share| Bearing {
@@ -53,10 +56,7 @@ impl<W: World + ?Sized> Run<'_, W> {
             problem.bearings = set.iter().zip(&problem.bearings).flat_map(sides).collect();
             problem.solutions().is_empty()
         };
-        let mut sets = world.alternatives(&closed, self.state.t, &self.state.q);
-        if sets.is_empty() {
-            sets.push(closed.clone());
-        }
+        let sets = world.alternatives(&closed, self.state.t, &self.state.q);
         (!closed.is_empty() && sets.iter().all(withstands)).then_some(closed)
     }
 
@@ -64,24 +64,15 @@ impl<W: World + ?Sized> Run<'_, W> {
     pub(super) fn impulses(
         &self,
         closed: &[usize],
-        surface: &dyn Fn(usize) -> (f64, f64),
+        surface: &dyn Fn(usize) -> Surface,
     ) -> Problem<'_> {
         let world = self.flow.world;
         let joints = world.joints(self.state.t, &self.state.q);
         let bearings = (closed.iter())
             .map(|&i| {
                 let touch = self.touch(i);
-                let (friction, restitution) = surface(i);
                 let rate = touch.opening(&self.state.v);
-                Bearing {
-                    b: touch.drift[0] + restitution * rate.min(0.0),
-                    c: touch.drift[1],
-                    normal: touch.normal,
-                    tangent: touch.tangent,
-                    friction,
-                    slides: None,
-                    lets_go: false,
-                }
+                touch.struck(rate, surface(i))
             })
             .collect();
         Problem {

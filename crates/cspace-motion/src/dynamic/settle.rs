@@ -9,7 +9,7 @@ use super::accumulate::Impacts;
 use super::motion::{Choice, Ended, Event, EventKind};
 use super::run::{Reached, Run};
 use super::step::Watched;
-use super::world::{State, Step, Touch, World};
+use super::world::{State, Step, Surface, Touch, World};
 use crate::complementarity::{Mode, Problem, Solution};
 
 /// Lengths of trials of one of several sets of contacts, as shares of the size: beyond the error of contacts, and
@@ -409,7 +409,7 @@ impl<W: World + ?Sized> Run<'_, W> {
             false => Mode::Forward,
         };
         let modes: Vec<Mode> = closed.iter().map(mode).collect();
-        let solution = self.impulses(closed, &|_| (0.0, 0.0)).within(&modes);
+        let solution = self.impulses(closed, &|_| Surface::DEAD).within(&modes);
         self.pass(&solution.ok_or_else(|| self.stuck())?, closed);
         self.flow.seats.clear();
         let bearings = closed.iter().copied().zip(modes).collect();

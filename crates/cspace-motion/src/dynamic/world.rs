@@ -3,7 +3,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use crate::complementarity::{Mode, Solution};
+use crate::complementarity::{Bearing, Mode, Solution};
 
 /// A contact as a function of the coordinates, at one configuration and time.
 #[derive(Debug, Clone)]
@@ -27,6 +27,19 @@ impl Touch {
     /// The rate of sliding.
     pub fn sliding(&self, v: &DVector<f64>) -> f64 {
         self.tangent.dot(v) + self.drift[1]
+    }
+
+    /// The contact in a problem of impulses, for a rate at which it opens before them: Newton's law, u_N' + e min(u_N, 0) ≥ 0.
+    pub(super) fn struck(self, rate: f64, surface: Surface) -> Bearing {
+        Bearing {
+            b: self.drift[0] + surface.restitution * rate.min(0.0),
+            c: self.drift[1],
+            normal: self.normal,
+            tangent: self.tangent,
+            friction: surface.friction,
+            slides: None,
+            lets_go: false,
+        }
     }
 }
 
@@ -312,6 +325,14 @@ pub struct Surface {
     pub friction: f64,
     /// Newton's coefficient of restitution.
     pub restitution: f64,
+}
+
+impl Surface {
+    /// Neither friction nor restitution.
+    pub(super) const DEAD: Self = Self {
+        friction: 0.0,
+        restitution: 0.0,
+    };
 }
 
 /// Time, coordinates and rates.

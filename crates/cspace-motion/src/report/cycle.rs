@@ -220,10 +220,11 @@ fn repeats(
     // What goes on evenly repeats in any time.
     let is_even = |i: usize| {
         let half = trajectory.at(start + 0.5 * period, i) - trajectory.at(start, i);
-        steps[i] == Step::Any && (half - 0.5 * advance[i]).abs() * lengths[i] <= most
+        let is_half = (half - 0.5 * advance[i]).abs() * lengths[i] <= most;
+        steps[i] == Step::Any && advance[i] != 0.0 && is_half
     };
     let moves = |i: usize| (ranges[i].1 - ranges[i].0) * lengths[i] >= MOVES * size;
-    if !(0..n).any(|i| moves(i) && !(advance[i] != 0.0 && is_even(i))) {
+    if !(0..n).any(|i| moves(i) && !is_even(i)) {
         return None;
     }
     for (i, gone) in advance.iter_mut().enumerate() {

@@ -10,7 +10,7 @@
 //!
 //! Events are not located: an impact is late or early by a step at most, and parts overlap by up to the displacement in
 //! one step. Errors fall with h. The scheme shares the mechanism with the event-driven motion, and neither its steps
-//! nor its method for contacts: each is a check of the other. After J. J. Moreau (1988) and M. Jean (1999); joints are
+//! nor, but where sweeps do not converge, its method for contacts: each is a check of the other. After J. J. Moreau (1988) and M. Jean (1999); joints are
 //! not penalised but eliminated from the problem of contacts exactly, once by their directions at q_m, so that they
 //! neither brake nor drive, and once by those at q'.
 
@@ -25,7 +25,7 @@ use nalgebra::{DMatrix, DVector};
 use super::flow::ZERO;
 use super::motion::{Ended, Motion, Observer, Work};
 use super::world::{Acting, State, Touch, World};
-use crate::complementarity::{Bearing, Problem};
+use crate::complementarity::Problem;
 
 use joined::{Joined, held};
 use story::Story;
@@ -305,15 +305,7 @@ impl<W: World + ?Sized> Stepping<'_, W> {
     ) -> Option<DVector<f64>> {
         let bearing = |a: &Active| {
             let surface = self.world.surface(a.contact);
-            Bearing {
-                normal: a.touch.normal.clone(),
-                tangent: a.touch.tangent.clone(),
-                b: a.touch.drift[0] + surface.restitution * a.opening.min(0.0),
-                c: a.touch.drift[1],
-                friction: surface.friction,
-                slides: None,
-                lets_go: false,
-            }
+            a.touch.clone().struck(a.opening, surface)
         };
         let mass = self.world.mass();
         let problem = Problem {

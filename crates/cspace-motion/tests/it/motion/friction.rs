@@ -5,7 +5,7 @@ use cspace_motion::{
 };
 use cspace_oracle::effort;
 
-use crate::motion::helpers::{at, model, near, read, run};
+use crate::motion::helpers::{at, model, near, read, run, thrown_model};
 
 fn times(record: &Record, kind: EventKind) -> Vec<f64> {
     let of_kind = record.events.iter().filter(|e| e.kind == kind);
@@ -561,6 +561,8 @@ fn a_ratchet_with_friction_goes_through_its_cycle() {
         ratchet.dynamics.friction = friction;
         let (_, record) = run(&ratchet, 1.0, 0.01);
         assert_eq!(record.status, Status::Done, "{:?}", record.reason);
+        let sticks = times(&record, EventKind::Stick);
+        assert_eq!(sticks.is_empty(), friction == 0.0, "{sticks:?}");
         record.samples.last().unwrap().coordinates.clone()
     });
     for (without, with) in ends[0].iter().zip(&ends[1]) {
@@ -729,15 +731,9 @@ fixed = "belt"
 moving = "roller"
 "#
             ));
-            let record = if mass.is_empty() {
-                run(&mechanism, 1.0, 0.1).1
-            } else {
-                let settings = Settings {
-                    time: 1.0,
-                    every: None,
-                };
-                let simulation = Simulation::new(&mechanism).unwrap();
-                simulation.dynamic(&settings).unwrap()
+            let (_, record) = match mass {
+                "" => run(&mechanism, 1.0, 0.1),
+                _ => thrown_model(&mechanism, 1.0, 1.0),
             };
             let status = match locks && rate > 0.0 {
                 true => Status::Jammed,
@@ -750,7 +746,7 @@ moving = "roller"
 }
 
 /// A bolt with a slanted nose has play in its guide, and a spring; a round strike comes up against the slant. Where friction lets it go by,
-/// the spring brings the bolt back to where it was.
+/// the spring brings the bolt to where it is slack, 10 to the right.
 #[test]
 fn a_bolt_with_play_gives_way_and_comes_back() {
     for friction in [0.0, 0.1, 0.15, 0.2, 0.25] {
@@ -801,6 +797,8 @@ moving = "bolt"
             "{friction}: {:?}",
             record.reason
         );
+        let bolt = record.samples.last().unwrap().coordinates[0];
+        near("the bolt", bolt, 10.0, 1e-3);
         // The bolt stands then, and the strike goes on: that is no cycle.
         assert_eq!(Report::of(&simulation, &record).cycle, None);
         let snaps = times(&record, EventKind::Snap);
@@ -816,14 +814,22 @@ moving = "bolt"
 /// Friction changes none of it.
 #[test]
 fn a_toggle_snaps_over_with_friction() {
-    for (pusher, off) in [
-        ("{ circle = 1, at = [8, -12] }", 0.0),
-        ("{ circle = 1, at = [8, -12] }", 0.5),
-        ("[[7, -13], [9, -13], [8, -11]]", 0.0),
-        ("[[7, -13], [9, -13], [8, -11]]", 0.5),
-        ("[[7, -13], [9, -13], [9, -11], [7, -11]]", 0.5),
+    // Each with a point of the pusher, and how far it is from the lever's middle line in contact.
+    let round = ("{ circle = 1, at = [8, -12] }", [8.0, -12.0], 2.0);
+    let tip = ("[[7, -13], [9, -13], [8, -11]]", [8.0, -11.0], 1.0);
+    let flat = (
+        "[[7, -13], [9, -13], [9, -11], [7, -11]]",
+        [7.0, -11.0],
+        1.0,
+    );
+    for ((pusher, [x, y], below), off) in [
+        (round, 0.0),
+        (round, 0.5),
+        (tip, 0.0),
+        (tip, 0.5),
+        (flat, 0.5),
     ] {
-        let ends = [0.0, 0.2].map(|friction| {
+        for friction in [0.0, 0.2] {
             let (_, record) = run(
                 &read(&format!(
                     r#"
@@ -861,8 +867,9 @@ rate = 2
                 snaps.len() == 1 && (5.0..5.1).contains(&snaps[0]),
                 "{snaps:?}"
             );
-            record.until
-        });
-        near(pusher, ends[1], ends[0], 1e-9);
+            // There −x sin 30° + y cos 30° = −below.
+            let up = (0.5 * x - below) / 0.75_f64.sqrt();
+            near(pusher, record.until, 0.5 * (up - y), 1e-9);
+        }
     }
 }
