@@ -43,10 +43,9 @@ export function settled(page: Page): Promise<void> {
   return page.evaluate(() => new Promise<void>((done) => requestAnimationFrame(() => requestAnimationFrame(() => done()))));
 }
 
-/** Clicks the button with a text. */
+/** Clicks the button with a text, once it stays where it is. */
 export async function press(page: Page, text: string): Promise<void> {
-  const button = await page.waitForSelector(`::-p-xpath(//button[normalize-space()="${text}"])`, { timeout: PATIENCE });
-  await button?.click();
+  await page.locator(`::-p-xpath(//button[normalize-space()="${text}"])`).setTimeout(PATIENCE).click();
   await settled(page);
 }
 
