@@ -37,6 +37,7 @@ pub mod slice;
 pub mod solve;
 pub mod subject;
 pub mod sweep;
+pub mod template;
 pub mod tolerances;
 mod twin;
 mod vary;

@@ -13,7 +13,6 @@ mod output;
 mod picture;
 mod progress;
 mod subject;
-mod template;
 mod traces;
 pub mod view;
 mod wording;

@@ -6,9 +6,10 @@ use cspace::{AxisMotion, Coordinates, Silent};
 use cspace_api::check::Requirement;
 use cspace_api::disassemble::Disassembly;
 use cspace_api::scene::{Edits, Opened, SceneSetting};
+use cspace_api::template::{TEMPLATES, Template};
 use cspace_api::{plan, simulate, solve};
 use cspace_design::{ContactGoal, Span};
-use cspace_model::model::{Coordinate, Template};
+use cspace_model::model::{Coordinate, Template as Text};
 use cspace_model::{DriveMotion, Mechanism};
 use cspace_motion::{Record, Report, Settings, Simulation, Way};
 use cspace_plan::assembly::Assembly;
@@ -111,12 +112,24 @@ impl Model {
         let opened = match cspace_model::read_from(text.as_bytes(), name).map_err(told)? {
             cspace_model::Document::Model(model) => {
                 let pairs = model.mechanism.pairs.clone();
-                let template = Template::from_text(text.to_owned(), name).map_err(told)?;
+                let template = Text::from_text(text.to_owned(), name).map_err(told)?;
                 Opened::model(model.mechanism, pairs, false).with_text(template, Vec::new())
             }
             cspace_model::Document::Space(file) => Opened::saved(*file),
         };
         Ok(Self { opened })
+    }
+
+    /// A model without parts.
+    pub fn blank(name: &str, unit: Option<String>) -> Model {
+        let opened = Opened::blank(name, unit);
+        Self { opened }
+    }
+
+    /// The models to begin with, as JSON: of each the name of its file, what it is a model of, and its text.
+    pub fn templates() -> Result<String, JsError> {
+        let of = |t: &Template| (format!("{}.toml", t.name), t.title(), t.text);
+        json(&TEMPLATES.iter().map(of).collect::<Vec<_>>())
     }
 
     /// The scene, without the spaces of its pairs, as JSON.

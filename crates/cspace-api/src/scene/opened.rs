@@ -85,6 +85,15 @@ impl Opened {
         }
     }
 
+    /// A model without parts, to which the page adds some.
+    pub fn blank(name: impl Into<String>, unit: Option<String>) -> Self {
+        let model = Mechanism {
+            unit,
+            ..Mechanism::new(name)
+        };
+        Self::model(model, Vec::new(), false)
+    }
+
     /// Adds the text that the model was read from, and the values given to its parameters: the page offers sliders for
     /// them.
     pub fn with_text(mut self, template: Template, set: Vec<Setting>) -> Self {

@@ -118,9 +118,9 @@ export function exported(model: string, folder: string, more: string[] = []): st
 
 export const addressOf = (path: string): string => pathToFileURL(path).href;
 
-/** `cspace view`, until it is stopped. */
-export async function serve(model: string, more: string[] = []): Promise<{ address: string; stop: () => void }> {
-  const child: ChildProcess = spawn(binary() ?? "cspace", ["view", model, "--no-open", ...more], {
+/** `cspace view`, of a file or without one, until it is stopped. */
+export async function serve(model: string | null, more: string[] = []): Promise<{ address: string; stop: () => void }> {
+  const child: ChildProcess = spawn(binary() ?? "cspace", ["view", ...(model === null ? [] : [model]), "--no-open", ...more], {
     stdio: ["ignore", "pipe", "pipe"],
   });
   const address = await new Promise<string>((found, failed) => {

@@ -3,12 +3,12 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use clap::builder::{PossibleValuesParser, TypedValueParser};
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
+use cspace_api::template::{self, TEMPLATES, Template};
 
 use crate::args::SetArgs;
 use crate::failure::Failure;
 use crate::output;
-use crate::template::{self, TEMPLATES, Template};
 
 const HELP: &str = "\
 Examples:
@@ -42,8 +42,11 @@ pub(crate) struct NewArgs {
 
 /// Reads the name of a template.
 fn template_parser() -> impl TypedValueParser<Value = &'static Template> {
-    let names = PossibleValuesParser::new(TEMPLATES.iter().map(Template::choice));
-    names.try_map(|name| Template::named(&name).ok_or("there is no such model"))
+    let choices = TEMPLATES
+        .iter()
+        .map(|t| PossibleValue::new(t.name).help(t.title()));
+    PossibleValuesParser::new(choices)
+        .try_map(|name| Template::named(&name).ok_or("there is no such model"))
 }
 
 pub(crate) fn run(args: &NewArgs) -> Result<(), Failure> {

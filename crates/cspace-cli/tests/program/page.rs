@@ -345,6 +345,8 @@ fn what_has_no_page_is_refused() {
         (&[&geneva, "--layer", "0"], &["--layer", "drawings"]),
         (&[&geneva, "--scale", "2"], &["--scale", "drawings"]),
         (&["no_such.svg"], &["no_such.svg"]),
+        (&["--pair", "a,b"], &["--pair", "name the file"]),
+        (&["--scale", "2"], &["--scale", "name the file"]),
     ] {
         fails(cspace(&[&["view", "--no-open"], args].concat()), 2, words);
     }
@@ -381,10 +383,15 @@ fn it_is_served_until_it_is_interrupted() {
         "-o",
         saved,
     ]);
-    for (file, pairs) in [(mechanism().as_str(), 6), (saved, 1)] {
+    for (file, parts, pairs) in [
+        (Some(mechanism().as_str()), 4, 6),
+        (Some(saved), 2, 1),
+        (None, 0, 0),
+    ] {
         let mut child = Command::new(env!("CARGO_BIN_EXE_cspace"))
             .env("CSPACE_CACHE", "off")
-            .args(["view", file, "--no-open"])
+            .args(["view", "--no-open"])
+            .args(file)
             .stdout(Stdio::piped())
             .stderr(Stdio::piped())
             .spawn()
@@ -406,7 +413,9 @@ fn it_is_served_until_it_is_interrupted() {
         .unwrap();
         let mut page = String::new();
         stream.read_to_string(&mut page).unwrap();
-        assert_eq!(scene(&page)["pairs"].as_array().unwrap().len(), pairs);
+        let scene = scene(&page);
+        let count = |what: &str| scene[what].as_array().unwrap().len();
+        assert_eq!((count("parts"), count("pairs")), (parts, pairs), "{file:?}");
         let pid = child.id().to_string();
         assert!(
             Command::new("kill")

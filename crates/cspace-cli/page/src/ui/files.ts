@@ -27,10 +27,12 @@ export async function showFile(file: File, tell: (message: string) => void): Pro
 }
 
 /** Shows a model in this page: TOML; `isStep` if it is the present one with a change. */
-export async function showModel(text: string, name: string, isStep = false): Promise<void> {
-  const model = readModel(text, name);
+export const showModel = (text: string, name: string, isStep = false): Promise<void> => showScene(sceneOf(readModel(text, name)), isStep);
+
+/** The scene of a model of the kernel, which is not needed any more. */
+export function sceneOf(model: Model): Scene {
   try {
-    await showScene(JSON.parse(model.scene()) as Scene, isStep);
+    return JSON.parse(model.scene()) as Scene;
   } finally {
     model.free();
   }

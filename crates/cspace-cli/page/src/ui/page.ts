@@ -222,7 +222,7 @@ export function openPage({ scene, isOpened }: Shown, worker: string): Promise<vo
       timeline.showStart();
       partsView.fit();
     });
-  else store.change({ space: { state: "none", reason: scene.parts.length < 2 ? "Two parts have a configuration space: add them with Parts." : "The model has no pairs.", error: false } });
+  else store.change({ space: { state: "none", reason: scene.parts.length < 2 ? "Two parts have a configuration space: add them with Parts. New has models to begin with." : "The model has no pairs.", error: false } });
   window.cspace = pageInterface(session, () => ready, (pair) => begin(select(pair)));
   return ready;
 }

@@ -1,12 +1,12 @@
 /** In the side panel: the model's parts by their names, and the next part, which is drawn where it goes before it is added. Each change is a step that Undo takes back. */
 
 import { Model } from "../../build/kernel/cspace.js";
-import { SCENE_VERSION, type Place, type Scene, type SceneMotion, type SceneVertex } from "../scene.js";
+import type { Place, Scene, SceneMotion, SceneVertex } from "../scene.js";
 import { button, byId, fileName, html, say, set, svg } from "./dom.js";
 import { typedNumber } from "./edit-panel.js";
 import type { Editor } from "./edit.js";
 import { showScene } from "./entries.js";
-import { showModel } from "./files.js";
+import { sceneOf, showModel } from "./files.js";
 import { gridStep, snapped } from "./grid.js";
 import { failure } from "./message.js";
 import { lengthStep } from "./numbers.js";
@@ -38,25 +38,24 @@ const MOTIONS: Record<SceneMotion["type"], [string, string | null]> = {
 /** Whether a model has no parts yet. */
 export const isBlank = ({ parts }: Pick<Scene, "parts">): boolean => parts.length === 0;
 
-/** Asks for a name and a unit, and shows a model without parts. */
+/** Asks for a name and a unit of a model without parts, or which one to begin with. */
 export function newModel(failed: (error: unknown) => void): void {
   const name = html("input", { type: "text", value: "new model", maxlength: 200, spellcheck: "false" });
   const unit = html("input", { type: "text", value: "mm", maxlength: 20, spellcheck: "false" });
-  const begin = () => {
-    dialog.close();
-    showScene(blank(name.value.trim() || "new model", unit.value.trim() || null)).catch(failed);
-  };
-  const buttons = html("div", { class: "buttons" }, button("Blank", begin), button("Cancel", () => dialog.close()));
-  const dialog = html("dialog", { class: "new", "aria-label": "New model" }, html("label", {}, "Name", name), html("label", {}, "Unit", unit), buttons);
+  const chosen = (text: string, shown: () => Promise<void>) =>
+    button(text, () => {
+      dialog.close();
+      shown().catch(failed);
+    });
+  const blank = chosen("Blank", () => showScene(sceneOf(Model.blank(name.value.trim() || "new model", unit.value.trim() || null))));
+  const templates = JSON.parse(Model.templates()) as [string, string, string][];
+  const others = templates.map(([file, title, text]) => chosen(title, () => showModel(text, file)));
+  const buttons = html("div", { class: "buttons" }, blank, button("Cancel", () => dialog.close()));
+  const dialog = html("dialog", { class: "new", "aria-label": "New model" }, html("label", {}, "Name", name), html("label", {}, "Unit", unit), buttons, html("h2", {}, "Or begin with"), ...others);
   dialog.addEventListener("close", () => dialog.remove());
   document.body.append(dialog);
   dialog.showModal();
   name.select();
-}
-
-function blank(name: string, unit: string | null): Scene {
-  const show = { pair: null, question: null, view: null };
-  return { format: "cspace-scene", version: SCENE_VERSION, name, unit, parts: [], joints: [], pairs: [], show, records: [], design: null, source: null };
 }
 
 export class PartPanel {
@@ -173,9 +172,7 @@ export class PartPanel {
     const wrong = wrongPart({ ...this.#part, name: "-" }, []);
     if (wrong !== null) return wrong;
     try {
-      const model = Model.read(withPart("", this.#part), "the next part");
-      this.#loops = (JSON.parse(model.scene()) as Scene).parts[0]?.loops ?? [];
-      model.free();
+      this.#loops = sceneOf(Model.read(withPart("", this.#part), "the next part")).parts[0]?.loops ?? [];
       return null;
     } catch (error) {
       return failure(error)?.text ?? null;
@@ -246,7 +243,7 @@ export class PartPanel {
       const text = this.editor ? await this.editor.model() : `name = ${JSON.stringify(name)}\n${unit ? `unit = ${JSON.stringify(unit)}\n` : ""}`;
       const to = by(text);
       // A file has one part at least.
-      if (parts.length === 1 && !to.includes("[[part]]")) await showScene(blank(name, unit), true);
+      if (parts.length === 1 && !to.includes("[[part]]")) await showScene(sceneOf(Model.blank(name, unit)), true);
       else await showModel(to, file, true);
     };
     changed().catch(this.failed);

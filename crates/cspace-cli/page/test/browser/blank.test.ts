@@ -5,11 +5,11 @@ import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { describe, it } from "node:test";
 import type { Page } from "puppeteer-core";
-import { PATIENCE, addressOf, drawn, exported, long, open, skip } from "../../tools/harness.js";
+import { PATIENCE, addressOf, drawn, exported, load, long, open, serve, skip } from "../../tools/harness.js";
 import { run } from "../support/command.js";
 import { downloaded, inBrowser, model, press, settled } from "./support.js";
 
-describe("a model from nothing in a browser", { skip: skip || long }, () => {
+describe("a model from nothing in a browser", { skip }, () => {
   const suite = inBrowser();
 
   /** Waits until the page shows so many parts, drawn. */
@@ -36,7 +36,32 @@ describe("a model from nothing in a browser", { skip: skip || long }, () => {
     await page.evaluate((shiftKey) => document.dispatchEvent(new KeyboardEvent("keydown", { key: "z", ctrlKey: true, shiftKey, bubbles: true })), again);
   }
 
-  it("goes from blank over two parts to a verdict, and back", async () => {
+  it("is shown by cspace view without a file, and may begin with a model of cspace new", async () => {
+    const server = await serve(null);
+    try {
+      suite.opened = await load(suite.browser, server.address);
+      const { page } = suite.opened;
+      await shows(page, 0);
+      assert.ok(await page.$("::-p-xpath(//button[.='Add part'])"));
+      await press(page, "New");
+      const offered = await page.$$eval("dialog.new > button", (all) => all.map((e) => e.textContent ?? ""));
+      const kinds = ["latch", "cam", "gears", "geneva", "ratchet", "peg"].map((kind) => run(["new", kind]));
+      assert.deepEqual(offered, kinds.map((text) => text.split("\n")[0]?.slice(2)));
+      await leave(page, offered[1] ?? "");
+      await shows(page, 2);
+      assert.match(await headline(page), /^cam turns for ever, follower slides by 16 mm/);
+      const client = await page.createCDPSession();
+      await client.send("Browser.setDownloadBehavior", { behavior: "allow", downloadPath: suite.folder });
+      await press(page, "Save model");
+      assert.equal(readFileSync(await downloaded(join(suite.folder, "cam-and-follower.toml")), "utf8"), kinds[1]);
+      await page.goBack({ timeout: PATIENCE });
+      await shows(page, 0);
+    } finally {
+      server.stop();
+    }
+  });
+
+  it("goes from blank over two parts to a verdict, and back", { skip: long }, async () => {
     suite.opened = await open(suite.browser, addressOf(exported(model("peg_hole"), suite.folder)));
     const { page } = suite.opened;
     await press(page, "New");

@@ -3,10 +3,9 @@
 use std::fmt::Write;
 
 use cspace_api::Error;
+use cspace_api::template::TEMPLATES;
 use cspace_model::model::schema;
 use serde_json::Value;
-
-use crate::template::TEMPLATES;
 
 /// A smallest model.
 const SMALLEST: &str = r#"unit = "mm"

@@ -14,7 +14,13 @@ use crate::view::{Page, Server};
 
 /// A server of the drawing.
 pub(super) fn server(args: &ViewArgs, path: &Path) -> Result<Server, Failure> {
-    refuse_options_of_models(args)?;
+    if let Some(option) = args.first_of_models() {
+        let file = path.display();
+        let wrong = Failure::new(format_args!(
+            "{option} is about models, and {file} is a drawing"
+        ));
+        return Err(wrong.help("make a model of it on the page, or with `cspace import`"));
+    }
     let page = page::bundled(Page::bundled())?;
     let (options, finding) = (&args.source, &args.finding);
     drawing::check_options(options, std::iter::once(path))?;
@@ -46,23 +52,4 @@ pub(super) fn server(args: &ViewArgs, path: &Path) -> Result<Server, Failure> {
     };
     let scene = opened.scene().map_err(|e| drawing::failed(path, &e))?;
     Server::bind_drawing(&scene, &page, args.port).map_err(super::failure)
-}
-
-fn refuse_options_of_models(args: &ViewArgs) -> Result<(), Failure> {
-    let given = [
-        ("--pair", args.which.named.pair.is_some()),
-        ("--window", args.which.window.is_some()),
-        ("--with", !args.with.is_empty()),
-        ("--general", args.which.named.general),
-        ("--snap", args.snap),
-        ("--set", !args.values.set.is_empty()),
-    ];
-    match given.into_iter().find(|(_, is_given)| *is_given) {
-        None => Ok(()),
-        Some((option, _)) => Err(Failure::new(format_args!(
-            "{option} is about models, and {} is a drawing",
-            args.file.display()
-        ))
-        .help("make a model of it on the page, or with `cspace import`")),
-    }
 }

@@ -2,11 +2,12 @@
 
 mod drawing;
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
 use cspace_api::Which;
 use cspace_api::import::Finding;
+use cspace_api::scene::Opened;
 
 use super::page;
 use crate::args::{CacheArgs, Common, ResultArgs, SetArgs, SourceArgs, ThreadsArg};
@@ -23,6 +24,7 @@ Examples:
   cspace view models/ratchet_mechanism.toml --pair ratchet,pawl
   cspace view models/geneva.toml --with run.json --port 8080 --no-open
   cspace view plate.dxf
+  cspace view
 
 The page shows the parts to scale, and beside them the contact space in x, y
 and theta, or the plane of two motions; drag either, and the other follows. It
@@ -37,6 +39,9 @@ model is saved by the browser, or its contact spaces are shown at once. The
 options for drawings are those of `cspace import`. A model or a drawing that is
 dropped onto the page is opened in it, also in a page that was exported.
 
+Without FILE the page has a model without parts, to which they are added there;
+its New has the models of `cspace new`, too.
+
 --with has what `cspace plan`, `cspace disassemble` or `cspace simulate` wrote
 with -o OUT.json.
 Ctrl-C ends it. `cspace export FILE -o OUT.html` writes the page as a file.";
@@ -46,8 +51,8 @@ Ctrl-C ends it. `cspace export FILE -o OUT.html` writes the page as a file.";
 #[command(after_long_help = HELP)]
 pub(crate) struct ViewArgs {
     /// A model (.toml, .json), a contact space saved by `cspace export FILE -o OUT.json`, or a drawing (.dxf, .svg), whose faces are
-    /// picked as parts; - is a model on standard input
-    pub(crate) file: PathBuf,
+    /// picked as parts; - is a model on standard input. Without it a model is made from nothing
+    pub(crate) file: Option<PathBuf>,
     #[command(flatten)]
     pub(crate) values: SetArgs,
 
@@ -90,9 +95,9 @@ pub(crate) struct ViewArgs {
 
 impl ViewArgs {
     /// The options that it shares with the other commands that take a file; the others have their defaults.
-    pub(crate) fn common(&self) -> Common {
+    fn common(&self, file: &Path) -> Common {
         Common {
-            file: self.file.clone(),
+            file: file.to_owned(),
             values: self.values.clone(),
             snap: self.snap,
             result: ResultArgs::default(),
@@ -100,22 +105,41 @@ impl ViewArgs {
             threads: self.threads,
         }
     }
+
+    /// The first option that was given and is about models.
+    fn first_of_models(&self) -> Option<&'static str> {
+        let given = [
+            ("--pair", self.which.named.pair.is_some()),
+            ("--window", self.which.window.is_some()),
+            ("--with", !self.with.is_empty()),
+            ("--general", self.which.named.general),
+            ("--snap", self.snap),
+            ("--set", !self.values.set.is_empty()),
+        ];
+        let found = given.into_iter().find(|(_, is_given)| *is_given);
+        found.map(|(option, _)| option)
+    }
 }
 
 pub(crate) fn run(args: &ViewArgs) -> Result<(), Failure> {
-    if cspace_drawing::is_drawing(&args.file) {
-        return show(drawing::server(args, &args.file)?, args);
+    let of_drawings = drawings::first_given(&args.source, &args.finding);
+    let Some(file) = &args.file else {
+        let option = of_drawings.or(args.first_of_models().map(str::to_owned));
+        return match option {
+            Some(option) => Err(Failure::new(format_args!("{option} is about a file"))
+                .help(format_args!("name the file, or leave {option} out"))),
+            None => serve(Opened::blank("new model", Some("mm".to_owned())), args),
+        };
+    };
+    if cspace_drawing::is_drawing(file) {
+        return show(drawing::server(args, file)?, args);
     }
-    if let Some(option) = drawings::first_given(&args.source, &args.finding) {
-        return Err(
-            Failure::new(format_args!("{option} is about drawings")).help(format_args!(
-                "leave {option} out: {} is a model",
-                args.file.display()
-            )),
-        );
+    if let Some(option) = of_drawings {
+        let file = file.display();
+        return Err(Failure::new(format_args!("{option} is about drawings"))
+            .help(format_args!("leave {option} out: {file} is a model")));
     }
-    let page = page::bundled(Page::bundled())?;
-    let common = args.common();
+    let common = args.common(file);
     let (subject, host) = ask::open(&common)?;
     subject.warn(&host);
     let chosen = subject.pairs(&args.which, &host)?;
@@ -127,10 +151,13 @@ pub(crate) fn run(args: &ViewArgs) -> Result<(), Failure> {
     let entries = page::entries(&chosen);
     let mut opened = page::opened(subject, entries, (&common, &args.which))?;
     opened.records = page::records(&args.with, &opened)?;
-    show(
-        Server::bind(opened, &page, args.port).map_err(failure)?,
-        args,
-    )
+    serve(opened, args)
+}
+
+fn serve(opened: Opened, args: &ViewArgs) -> Result<(), Failure> {
+    let page = page::bundled(Page::bundled())?;
+    let server = Server::bind(opened, &page, args.port).map_err(failure)?;
+    show(server, args)
 }
 
 /// Serves until the process ends, in a browser where there is one.

@@ -1,17 +1,17 @@
 //! Models to begin with: commented files, whose dimensions are parameters.
 
-use clap::builder::PossibleValue;
 use cspace_model::Host;
 use cspace_model::model::{Setting, Template as Text};
 
-use crate::failure::Failure;
+use crate::Error;
 
-/// A model that `cspace new` can write.
+/// A model that `cspace new` writes, and that the page offers.
 #[derive(Debug)]
-pub(crate) struct Template {
-    pub(crate) name: &'static str,
+pub struct Template {
+    /// Name on the command line.
+    pub name: &'static str,
     /// The file. Its first line says what it is a model of; the dimensions are the parameters down to the first empty line.
-    pub(crate) text: &'static str,
+    pub text: &'static str,
 }
 
 macro_rules! templates {
@@ -20,8 +20,8 @@ macro_rules! templates {
     };
 }
 
-pub(crate) static TEMPLATES: [Template; 6] =
-    templates!["latch" "cam" "gears" "geneva" "ratchet" "peg"];
+/// All of them.
+pub static TEMPLATES: [Template; 6] = templates!["latch" "cam" "gears" "geneva" "ratchet" "peg"];
 
 /// A dimension of a template.
 struct Dimension {
@@ -31,14 +31,15 @@ struct Dimension {
 }
 
 impl Template {
-    pub(crate) fn named(name: &str) -> Option<&'static Self> {
+    /// The template with a name.
+    pub fn named(name: &str) -> Option<&'static Self> {
         TEMPLATES.iter().find(|t| t.name == name)
     }
 
-    /// Its name on the command line, with the first line of the file as help.
-    pub(crate) fn choice(&self) -> PossibleValue {
+    /// Title of the model, the first line of the file.
+    pub fn title(&self) -> &'static str {
         let first = self.text.lines().next().unwrap_or_default();
-        PossibleValue::new(self.name).help(first.trim_start_matches("# "))
+        first.trim_start_matches("# ")
     }
 
     fn dimensions(&self) -> impl Iterator<Item = Dimension> {
@@ -55,7 +56,10 @@ impl Template {
     }
 
     /// The model with values for parameters, as the text of a TOML file.
-    pub(crate) fn with(&self, set: &[Setting]) -> Result<String, Failure> {
+    ///
+    /// # Errors
+    /// If there is no such parameter, or there is no such model with these values.
+    pub fn with(&self, set: &[Setting]) -> Result<String, Error> {
         let text = Text::from_text(self.text.to_owned(), format!("{}.toml", self.name))?;
         let drawn = text.model(&Host::default())?;
         for Setting { name, .. } in set {
@@ -63,7 +67,7 @@ impl Template {
                 let names: Vec<&str> = self.dimensions().map(|d| d.name).collect();
                 let kind = self.name;
                 return Err(
-                    Failure::new(format_args!("{kind} has no parameter {name:?}")).help(
+                    Error::new(format_args!("{kind} has no parameter {name:?}")).help(
                         format_args!("the parameters of {kind} are {}", names.join(", ")),
                     ),
                 );
@@ -86,7 +90,7 @@ impl Template {
     }
 
     /// The failure of values that make no model.
-    fn refused(&self, set: &[Setting], why: &dyn core::fmt::Display) -> Failure {
+    fn refused(&self, set: &[Setting], why: &dyn core::fmt::Display) -> Error {
         let given: Vec<String> = (set.iter())
             .map(|s| format!("{} = {}", s.name, s.value))
             .collect();
@@ -99,12 +103,12 @@ impl Template {
             true => "leave it out".to_owned(),
             false => format!("change it towards the default: {}", others.join(", ")),
         };
-        Failure::new(format_args!("{} with {given}: {why}", self.name)).help(help)
+        Error::new(format_args!("{} with {given}: {why}", self.name)).help(help)
     }
 }
 
 /// The dimensions of all templates, for help.
-pub(crate) fn dimensions() -> String {
+pub fn dimensions() -> String {
     let of = |template: &Template| {
         let lines = template
             .dimensions()
