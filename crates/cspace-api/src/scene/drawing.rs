@@ -75,6 +75,8 @@ pub struct DrawingScene {
     pub count: usize,
     /// The parts that `cspace import` makes without picks, if each is one face; none otherwise.
     pub parts: Vec<ImportedPart>,
+    /// Problems of what bounds no face, in the words of `cspace import`, and what to do; `None` if there is nothing.
+    pub dropped: Option<String>,
 }
 
 /// A part that `cspace import` makes without picks.
@@ -254,6 +256,10 @@ impl OpenedDrawing {
             loops: face.loops,
             refusal: face.refusal.map(|error| error.to_string()),
         });
+        let dropped = (!found.dropped.is_empty()).then(|| {
+            let error = DrawingError::Entities(found.dropped);
+            format!("{error} ({})", error.help())
+        });
         Ok(DrawingScene {
             format: FORMAT,
             version: VERSION,
@@ -262,6 +268,7 @@ impl OpenedDrawing {
             faces: faces.collect(),
             count: found.count,
             parts: parts.unwrap_or_default(),
+            dropped,
         })
     }
 

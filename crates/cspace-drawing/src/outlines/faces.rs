@@ -5,12 +5,12 @@ use std::collections::HashSet;
 use cspace::part::Bounds;
 use cspace::{Edge, Part, PartError, Point, Vertex};
 
-use super::making::{Making, checked};
+use super::making::{Making, OriginKey, checked, key};
 use super::names::names;
 use super::refusal::no_part;
 use super::result::Outlines;
 use crate::arrange::{self, around, boundary, split};
-use crate::drawing::{Ignored, edge};
+use crate::drawing::{Ignored, Problem, edge};
 use crate::error::DrawingError;
 use crate::fit::{Outline, Sided};
 use crate::join::{Chain, ChainPiece, Shape};
@@ -44,6 +44,8 @@ pub struct DrawnFaces {
     pub count: usize,
     /// Drawn curves, as the ends of lines and arcs; for a closed one the last vertex equals the first.
     pub curves: Vec<Vec<Vertex>>,
+    /// Problems of what bounds no face, such as an outline with a gap.
+    pub dropped: Vec<Problem>,
 }
 
 /// Faces of the drawing.
@@ -122,8 +124,24 @@ impl Making<'_> {
         Ok(DrawnFaces {
             faces: listed.collect(),
             count,
+            dropped: self.dropped(&divided),
             curves: divided.curves,
         })
+    }
+
+    /// The problems of entities that bound no face.
+    fn dropped(&self, divided: &Divided) -> Vec<Problem> {
+        let faces = &divided.faces;
+        let all = (0..faces.faces.len()).flat_map(|face| around(faces, face));
+        let bounding: HashSet<OriginKey> = (all.flatten())
+            .map(|e| divided.entities[e.edge as usize])
+            .map(|entity| key(&self.drawing.entities[entity as usize].origin))
+            .collect();
+        let bounds_none = |problem: &&Problem| {
+            let mut origins = core::iter::once(&problem.origin).chain(&problem.with);
+            origins.all(|origin| !bounding.contains(&key(origin)))
+        };
+        self.told.iter().filter(bounds_none).cloned().collect()
     }
 
     /// Why loops are no part, also without the tips of their cusps.

@@ -61,6 +61,13 @@ struct Closed<'d> {
     again: Option<Chain<'d>>,
 }
 
+/// Line and handle of an origin, which tell origins apart.
+pub(super) type OriginKey = (usize, *const str);
+
+pub(super) fn key(origin: &Origin) -> OriginKey {
+    (origin.line, Arc::as_ptr(&origin.handle))
+}
+
 impl<'d> Making<'d> {
     pub(super) fn new(
         drawing: &'d Drawing,
@@ -125,9 +132,7 @@ impl<'d> Making<'d> {
         if !self.settings.partial {
             return;
         }
-        let key = |o: &Origin| (o.line, Arc::as_ptr(&o.handle));
-        let listed: HashSet<(usize, *const str)> =
-            self.ignored.iter().map(|i| key(&i.origin)).collect();
+        let listed: HashSet<OriginKey> = self.ignored.iter().map(|i| key(&i.origin)).collect();
         let mut entities = self.unused.clone();
         entities.sort_unstable();
         entities.dedup();

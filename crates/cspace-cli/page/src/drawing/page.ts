@@ -204,7 +204,9 @@ export function openDrawing(scene: DrawingScene): void {
   readAddress();
   // An address that is typed; the page's own does not come here.
   window.addEventListener("hashchange", readAddress);
-  if (listed === 0) tell(answer(`Nothing that is drawn encloses a face (what is drawn is within ${length(extent(scene), unit)}): check the layers, and whether something lies far away.`));
+  const none = `Nothing that is drawn encloses a face (what is drawn is within ${length(extent(scene), unit)}): check the layers, and whether something lies far away. `;
+  const left = scene.dropped === null ? "" : `Left out, since it bounds no face: ${scene.dropped}`;
+  if (listed === 0 || left !== "") tell(answer(`${listed === 0 ? none : ""}${left}`));
 }
 
 function extent(scene: DrawingScene): number {

@@ -17,6 +17,8 @@ export interface DrawingScene {
   count: number;
   /** The parts that `cspace import` makes without picks, if each is one face; none otherwise. */
   parts: ImportedPart[];
+  /** What cannot be used and bounds no face, in the words of the command, and what to do. */
+  dropped: string | null;
 }
 
 export interface ImportedPart {

@@ -105,7 +105,7 @@ describe("a drawing on the page in a browser", { skip }, () => {
       const { page, stop } = await opened([], frame(at, unit));
       try {
         for (const [x, y] of [[25, 5], [6, 5], [1, 5], [16, 5]] as const) await click(page, at + unit * x, at + unit * y);
-        const areas = (await parts(page)).map((text) => Number(text.split(", ")[1]) / (unit * unit));
+        const areas = (await parts(page)).map((text) => Number(text.split(", ")[1]?.replace("−", "-")) / (unit * unit));
         [100, 4 * Math.PI, 120 - 4 * Math.PI, 80].forEach((area, i) => assert.ok(Math.abs((areas[i] ?? 0) / area - 1) < 0.01, `${at}, ${unit}: ${areas.join(", ")}`));
       } finally {
         stop();
@@ -113,6 +113,28 @@ describe("a drawing on the page in a browser", { skip }, () => {
       }
     }
     suite.opened = null;
+  });
+
+  it("tells what is left out because it is open, and how wide its gap is", { skip: long }, async () => {
+    const corners = [[40, 0], [50, 0], [50, 10], [40, 10], [40, 0.2]] as const;
+    const sides = corners.slice(1).map(([x, y], i) => `0\nLINE\n8\n0\n10\n${corners[i]?.[0]}\n20\n${corners[i]?.[1]}\n11\n${x}\n21\n${y}\n`);
+    const text = frame().replace("0\nENDSEC", `${sides.join("")}0\nENDSEC`);
+    const first = await opened([], text);
+    try {
+      assert.equal(await first.page.$eval("#face-count", (e) => e.textContent), "4 faces");
+      const said = await first.page.$eval("#message span", (e) => e.textContent ?? "");
+      assert.match(said, /^Left out, since it bounds no face: LINE .*is open: its ends are 0\.2 from the nearest.*--join 0\.202/);
+    } finally {
+      first.stop();
+      await first.page.close();
+    }
+    const { page, stop } = await opened(["--join", "0.202"], text);
+    try {
+      assert.equal(await page.$eval("#face-count", (e) => e.textContent), "5 faces");
+      assert.equal(await page.$eval("#message", (e) => (e as HTMLElement).hidden), true);
+    } finally {
+      stop();
+    }
   });
 
   it("adds faces without Shift where that is switched on", async () => {
