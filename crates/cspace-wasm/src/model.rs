@@ -151,9 +151,15 @@ impl Model {
         json(&answer.map_err(fault)?)
     }
 
-    /// The edited model, as TOML.
+    /// The edited model, as TOML: the text of its file with what is edited.
     pub fn toml(&self, edits: &str) -> Result<String, JsError> {
-        self.opened.edited_text(&parsed(edits)?).map_err(fault)
+        Ok(self.opened.edited_text(&parsed(edits)?).map_err(fault)?.0)
+    }
+
+    /// Whether that text has all that the file has beside what is edited: not only numbers.
+    #[wasm_bindgen(js_name = keepsText)]
+    pub fn keeps_text(&self, edits: &str) -> Result<bool, JsError> {
+        Ok(self.opened.edited_text(&parsed(edits)?).map_err(fault)?.1)
     }
 
     /// Answer of `cspace check --json` for the edited model.

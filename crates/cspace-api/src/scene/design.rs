@@ -1,10 +1,10 @@
 //! A model whose parameters may be given other values, and what the page shows of them.
 
 use cspace_model::model::{Parameter, Setting, Template};
-use cspace_model::{Host, Model, ModelError};
+use cspace_model::{Host, Mechanism, Model, ModelError};
 use serde::{Deserialize, Serialize};
 
-/// The text of a model with parameters or requirements, as the page keeps it.
+/// The text of a model, as the page keeps it.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct SceneText {
     /// The text of the file.
@@ -71,15 +71,14 @@ impl From<&SceneSetting> for Setting {
 }
 
 impl Design {
-    /// The design of a text; `None` of one that has neither parameters nor requirements, or names drawings, which the page does not have.
+    /// The design of a text; `None` of one that names drawings, which the page does not have.
     pub(crate) fn new(template: Template, set: Vec<Setting>) -> Option<Self> {
         let host = Host {
             set: &set,
             ..Host::default()
         };
         let opened = template.model(&host).ok()?;
-        let says = !opened.parameters.is_empty() || !opened.requirements.is_empty();
-        if !says || template.names_drawings() {
+        if template.names_drawings() {
             return None;
         }
         // Numbers of copies are whole, and have no derivatives.
@@ -133,9 +132,14 @@ impl Design {
         &self.template
     }
 
-    /// The text with further values of its parameters in it, where they can be written.
-    pub(crate) fn text_with(&self, further: &[SceneSetting]) -> Option<String> {
-        self.template.text_with(&self.settings(further))
+    /// The text of a mechanism that differs by further values of parameters and by parts of these indices, where it can be written.
+    pub(crate) fn text_of(
+        &self,
+        further: &[SceneSetting],
+        drawn: &[usize],
+        mechanism: &Mechanism,
+    ) -> Option<String> {
+        (self.template).text_of(&self.settings(further), drawn, mechanism)
     }
 
     /// Model with further values of its parameters.
@@ -154,12 +158,15 @@ impl Design {
     }
 
     /// Design of the model as it was opened, for the page.
-    pub(crate) fn opened_scene(&self) -> SceneDesign {
+    pub(crate) fn opened_scene(&self) -> Option<SceneDesign> {
         self.scene(&self.opened)
     }
 
-    /// Design of a model, for the page.
-    pub(crate) fn scene(&self, model: &Model) -> SceneDesign {
+    /// Design of a model, for the page; `None` of one that has neither parameters nor requirements.
+    pub(crate) fn scene(&self, model: &Model) -> Option<SceneDesign> {
+        if model.parameters.is_empty() && model.requirements.is_empty() {
+            return None;
+        }
         let largest = (model.mechanism.parts.iter()).fold(0.0_f64, |m, p| m.max(p.part.size()));
         let parameters = (model.parameters.iter())
             .map(|p| {
@@ -174,10 +181,10 @@ impl Design {
                 }
             })
             .collect();
-        SceneDesign {
+        Some(SceneDesign {
             parameters,
             requirements: model.requirements.iter().map(|r| r.name.clone()).collect(),
-        }
+        })
     }
 }
 

@@ -180,7 +180,7 @@ impl Opened {
     pub fn scene_with(&self, pairs: Vec<ScenePair>) -> Scene {
         Scene {
             source: self.source(),
-            design: self.design.as_ref().map(Design::opened_scene),
+            design: self.design.as_ref().and_then(Design::opened_scene),
             ..Scene::of(&self.model, pairs, self.records.clone())
         }
     }
@@ -295,7 +295,7 @@ impl Opened {
         Ok(EditAnswer {
             pair: ScenePair::known(&entry, &space, clock() - begin)?,
             parts: model.mechanism.parts.iter().map(ScenePart::of).collect(),
-            design: self.design.as_ref().map(|d| d.scene(&model)),
+            design: self.design.as_ref().and_then(|d| d.scene(&model)),
         })
     }
 
@@ -310,20 +310,22 @@ impl Opened {
         ScenePair::unknown(pair, class, fixed, moving)
     }
 
-    /// Edited model as TOML that is read back unchanged: the text of its file with other values if no part was edited,
-    /// otherwise only numbers.
+    /// Edited model as TOML that is read back unchanged: the text of its file with other values, and numbers for outlines that were edited.
+    /// Of a text that is not here, is no TOML, or would be another model, only numbers, and false.
     ///
     /// # Errors
     /// If the edit is invalid, or the written model is refused by the reader.
-    pub fn edited_text(&self, edits: &Edits) -> Result<String, EditedPairError> {
-        if let (Some(design), []) = (&self.design, &edits.parts[..])
-            && let Some(text) = design.text_with(&edits.set)
+    pub fn edited_text(&self, edits: &Edits) -> Result<(String, bool), EditedPairError> {
+        let mechanism = self.edited(edits)?.mechanism;
+        let drawn: Vec<usize> = edits.parts.iter().map(|p| p.index).collect();
+        if let Some(design) = &self.design
+            && let Some(text) = design.text_of(&edits.set, &drawn, &mechanism)
         {
-            return Ok(text);
+            return Ok((text, true));
         }
-        let text = cspace_model::model::to_toml(&self.edited(edits)?.mechanism);
+        let text = cspace_model::model::to_toml(&mechanism);
         cspace_model::model::from_toml(&text, "model.toml")?;
-        Ok(text)
+        Ok((text, false))
     }
 
     /// Computes the space of a pair of a mechanism that has the same parts, perhaps with other outlines and motions.

@@ -82,17 +82,18 @@ fn a_scene_lists_parameters_and_requirements() {
 
 #[test]
 fn a_model_without_them_has_no_design() {
-    let text = "[[part]]\nname = \"pin\"\nloops = [[[6, 0, 1], [8, 0, 1]]]\n";
+    let text = "[[part]] # of steel\nname = \"pin\"\nloops = [[[6, 0, 1], [8, 0, 1]]]\n";
     let template = Template::from_text(text.to_owned(), "pin.toml").unwrap();
     let model = template.model(&Host::default()).unwrap().mechanism;
     let opened = Opened::model(model, Vec::new(), false).with_text(template, Vec::new());
     assert_eq!(json!(opened.scene())["design"], Value::Null);
-    // It can still be edited, but not set.
-    assert!(opened.edited(&Edits::default()).is_ok());
+    // It can still be edited, and keeps its text, but not set.
+    let saved = opened.edited_text(&Edits::default()).unwrap();
+    assert_eq!(saved, (text.to_owned(), true));
     let error = opened
         .edited(&edits(&[("r", "2")], &json!([])))
         .unwrap_err();
-    assert!(error.to_string().contains("no parameters"), "{error}");
+    assert!(error.to_string().contains("\"r\""), "{error}");
 }
 
 #[test]
@@ -136,14 +137,44 @@ fn parts_edited_by_hand_keep_their_outline() {
     assert_eq!(model.requirements.len(), 1);
     let error = opened.template(&both).err().unwrap();
     assert!(error.to_string().contains("\"coin\""), "{error}");
+    // All else is saved as it is written.
+    let (text, is_whole) = opened.edited_text(&both).unwrap();
+    assert!(
+        is_whole && text.contains("r = 1.5          # of the coin"),
+        "{text}"
+    );
+    assert!(
+        text.contains("path = [[3, \"gap/4\"]") && !text.contains("circle"),
+        "{text}"
+    );
+    let read = cspace_model::model::from_toml(&text, "coin.toml").unwrap();
+    assert_eq!(read, model.mechanism);
+    // Not where more differs than outlines and motions: a pivot takes its joint along.
+    let jointed = TEXT.replace(
+        "[[pair]]",
+        "[[joint]]\ntype = \"revolute\"\nparts = [\"table\", \"wheel\"]\nat = [0, 0]\n[[pair]]",
+    );
+    let jointed = jointed.replace(
+        "name = \"wheel\"\n",
+        "name = \"wheel\"\nmotion = { type = \"revolute\", center = [0, 0] }\n",
+    );
+    let template = Template::from_text(jointed, "coin.toml").unwrap();
+    let model = template.model(&Host::default()).unwrap().mechanism;
+    let wheel = &model.parts[2].part.loops()[0];
+    let turned = json!([{ "index": 2, "loops": [wheel.vertices()], "motion": { "type": "revolute", "center": { "x": 0.5, "y": 0 }, "range": null } }]);
+    let pairs = model.pairs.clone();
+    let opened = Opened::model(model, pairs, false).with_text(template, Vec::new());
+    let (text, is_whole) = opened.edited_text(&edits(&[], &turned)).unwrap();
+    assert!(!is_whole && text.contains("center = [0.5, 0.0]"), "{text}");
 }
 
 #[test]
 fn the_text_of_the_file_is_saved_with_the_values() {
     let opened = opened(&[]);
-    let text = opened
+    let (text, is_whole) = opened
         .edited_text(&edits(&[("r", "1.25"), ("tilt", "12deg")], &json!([])))
         .unwrap();
+    assert!(is_whole);
     assert!(text.contains("r = 1.25          # of the coin"), "{text}");
     assert!(text.contains("tilt = \"12deg\"") && text.contains("gap = \"r/2\""));
     let Document::Model(read) = cspace_model::read_from(text.as_bytes(), "coin.toml").unwrap()

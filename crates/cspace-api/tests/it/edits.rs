@@ -68,7 +68,7 @@ fn fails<T: Debug, E: Display>(result: Result<T, E>, words: &[&str]) {
 }
 
 fn saved(opened: &Opened, edits: &[Value]) -> Mechanism {
-    let text = opened.edited_text(&parts(edits)).unwrap();
+    let (text, _) = opened.edited_text(&parts(edits)).unwrap();
     cspace_model::model::from_toml(&text, "answer.toml").unwrap()
 }
 

@@ -64,6 +64,27 @@ pub(super) fn parameter_in_toml(text: &str, name: &str) -> Option<Range<usize>> 
     span
 }
 
+/// Byte ranges in TOML text of what the keys of a part say: values of `loops` and `motion`, and all of the line of `place`. `None` if there
+/// is no such part.
+pub(super) fn part_keys_in_toml(text: &str, name: &str) -> Option<Vec<(String, Range<usize>)>> {
+    let root = DeTable::parse(text).ok()?;
+    let parts = root.get_ref().get("part")?.get_ref().as_array()?;
+    let mut tables = parts.iter().filter_map(|p| p.get_ref().as_table());
+    let part = tables.find(|t| {
+        let own = t.get("name").and_then(|n| n.get_ref().as_str());
+        own == Some(name)
+    })?;
+    let keys = part.iter().map(|(key, value)| {
+        let mut place = value.span();
+        if key.get_ref() == "place" {
+            place.start = key.span().start;
+            place.end += text[place.end..].find('\n').map_or(0, |i| i + 1);
+        }
+        (key.get_ref().to_string(), place)
+    });
+    Some(keys.collect())
+}
+
 fn children<'a>(value: &'a DeValue<'a>) -> Children<'a> {
     match value {
         DeValue::Table(t) => (Some(t), None),

@@ -6,12 +6,13 @@ use cspace::{Ball, Dual};
 
 use super::drawings::{DRAWINGS, Files};
 use super::error::ModelError;
-use super::locate::{in_json, in_toml, line_and_column, parameter_in_toml};
+use super::locate::{in_json, in_toml, line_and_column, parameter_in_toml, part_keys_in_toml};
 use super::node::Node;
 use super::parameters::{Setting, Variation, middles_of_limits};
 use super::read::{Model, from_tree, parameters_of};
 use super::scope::Result;
 use super::slopes::{Slope, Slopes, slopes};
+use super::to_toml::{motion, outlines};
 use super::value::Value;
 use crate::file::{Host, extension, read_text, too_large, without_mark};
 use crate::mechanism::Mechanism;
@@ -273,6 +274,34 @@ impl Template {
     /// # Ok::<(), cspace_model::ModelError>(())
     /// ```
     pub fn text_with(&self, set: &[Setting]) -> Option<String> {
+        let host = Host {
+            set,
+            ..Host::default()
+        };
+        self.text_of(set, &[], &self.model(&host).ok()?.mechanism)
+    }
+
+    /// The text of a mechanism that differs from this one by values of parameters and by the outlines and motions of the parts of these
+    /// indices, which are written as numbers; `None` where [`Template::text_with`] has none, and if there is more that differs.
+    ///
+    /// ```
+    /// use cspace::Part;
+    /// use cspace_model::model::{Template, from_toml};
+    /// let text = "# A pin.\n[[part]]\nname = \"pin\" # of steel\nplace = { at = [1, 0] }\nloops = [{ circle = 2, at = [0, 0] }]\n";
+    /// let template = Template::from_text(text.to_owned(), "pin.toml")?;
+    /// let mut drawn = from_toml(text, "pin.toml")?;
+    /// drawn.name = "pin".to_owned();
+    /// drawn.parts[0].part = Part::polygon("pin", [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)])?;
+    /// let text = template.text_of(&[], &[0], &drawn).unwrap_or_default();
+    /// assert!(text.starts_with("# A pin.\n[[part]]\nname = \"pin\" # of steel\nloops = [\n"), "{text}");
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn text_of(
+        &self,
+        set: &[Setting],
+        drawn: &[usize],
+        mechanism: &Mechanism,
+    ) -> Option<String> {
         if self.is_json {
             return None;
         }
@@ -286,16 +315,34 @@ impl Template {
             };
             text.replace_range(place, &value);
         }
+        let host = Host {
+            set,
+            ..Host::default()
+        };
+        let base = match drawn {
+            [] => None,
+            _ => Some(self.model(&host).ok()?.mechanism),
+        };
+        for &part in drawn {
+            let entry = mechanism.parts.get(part)?;
+            let old = base.as_ref()?.parts.get(part)?;
+            let mut keys = part_keys_in_toml(&text, entry.part.name())?;
+            keys.sort_by_key(|(_, place)| core::cmp::Reverse(place.start));
+            for (key, place) in keys {
+                let value = match (&*key, entry.axis.filter(|_| entry.axis != old.axis)) {
+                    ("loops", _) => outlines(entry.part.loops()),
+                    ("motion", Some(axis)) => motion(axis),
+                    // The outline is written where it is.
+                    ("place", _) => String::new(),
+                    _ => continue,
+                };
+                text.replace_range(place, &value);
+            }
+        }
         // The written text must be read back as the model.
         let read = Self::from_text(text.clone(), &self.path).ok()?;
         let read = read.model(&Host::default()).ok()?;
-        let wanted = self.model(&Host {
-            set,
-            ..Host::default()
-        });
-        let wanted = wanted.ok()?;
-        let is_same = read.mechanism == wanted.mechanism;
-        is_same.then_some(text)
+        (read.mechanism == *mechanism).then_some(text)
     }
 
     /// Computes the derivatives of the numbers of a model of this template by one of its parameters, in dual numbers:

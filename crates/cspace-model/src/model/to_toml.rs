@@ -53,7 +53,7 @@ pub fn to_toml(mechanism: &Mechanism) -> String {
 }
 
 /// Some loops of a part.
-fn outlines(loops: &[Loop]) -> String {
+pub(super) fn outlines(loops: &[Loop]) -> String {
     let of = loops;
     let mut loops = String::from("[\n");
     for outline in of {
@@ -141,7 +141,8 @@ fn pair(pair: &PairEntry, name: &dyn Fn(usize) -> String) -> String {
     format!("\n[[pair]]\n{}", lines(keys))
 }
 
-fn motion(axis: Axis) -> String {
+/// A motion relative to the ground.
+pub(super) fn motion(axis: Axis) -> String {
     let range = (axis.range).map_or_else(String::new, |r| format!(", range = {}", two(r)));
     match axis.motion {
         AxisMotion::Fixed => r#"{ type = "fixed" }"#.into(),

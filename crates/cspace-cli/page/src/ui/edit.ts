@@ -12,7 +12,7 @@ import { IDENTITY, apply, inverse } from "./placement.js";
 import { regionChanges } from "./region-changes.js";
 import type { Fetcher, Session } from "./session.js";
 import type { Drag, Viewport } from "./viewport.js";
-import { UNCHANGED, WorkError, type EditAnswer, type Edits, type PartEdit, type Workshop } from "./workshop.js";
+import { UNCHANGED, WorkError, type EditAnswer, type Edits, type ModelText, type PartEdit, type Workshop } from "./workshop.js";
 
 export interface EditReport {
   /** Of the last answer: the space alone, and until it was here (s). */
@@ -125,7 +125,7 @@ export class Editor {
     }
   }
 
-  async model(): Promise<string> {
+  model(): Promise<ModelText> {
     return this.workshop.model(this.edits);
   }
 

@@ -42,7 +42,7 @@ import { Timeline } from "./timeline.js";
 import { showTrace } from "./trace.js";
 import { Toolbar } from "./toolbar.js";
 import { Ways } from "./ways.js";
-import { UNCHANGED, Workshop, type Edits } from "./workshop.js";
+import { UNCHANGED, Workshop, type Edits, type ModelText } from "./workshop.js";
 
 /** The address is written once the state has not changed for this long (ms): browsers refuse to write it at every frame. */
 const ADDRESS_DELAY = 250;
@@ -120,12 +120,11 @@ export function openPage({ scene, isOpened }: Shown, worker: string): Promise<vo
     if (!(await showFile(file, (text) => store.change({ message: { kind: "progress", text } })))) await timeline.open(file);
   };
   const failed = (error: unknown) => store.change({ message: failure(error) });
-  const save = (text: string) => {
+  const save = ({ text, isWhole }: ModelText) => {
     download(fileName(scene.name, "toml"), new Blob([text], { type: "application/toml" }));
     editor?.markSaved();
     markStepSaved();
-    const isPlain = scene.design !== null && !/^\s*\[+(parameter|requirement)/m.test(text);
-    if (isPlain) store.change({ message: answer("The model is saved with numbers alone: its parameters and requirements are left out, since parts were edited by hand or the file is JSON.") });
+    if (!isWhole && scene.source?.design) store.change({ message: answer("The model is saved with numbers alone, without parameters, requirements and comments: its file is JSON, or the parts that were edited by hand cannot be written into it.") });
   };
   const actions: Actions = {
     toggleStop: () => store.change({ stop: !store.state.stop }),

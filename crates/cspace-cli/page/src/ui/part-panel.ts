@@ -11,6 +11,7 @@ import { gridStep, snapped } from "./grid.js";
 import { failure } from "./message.js";
 import { lengthStep } from "./numbers.js";
 import { boxOf, centerOf, outlinePath, type Box } from "./outline.js";
+import { unhurried } from "./unhurried.js";
 import { SHAPES, withName, withPart, withoutPart, wrongPart, wrongPartName, type NewPart, type Shape } from "./part-text.js";
 import type { Session } from "./session.js";
 import type { Viewport } from "./viewport.js";
@@ -24,7 +25,8 @@ const USUAL_STEP = 10;
 /** Beside the parts so much of their extent is seen, into which the next one is dragged. */
 const ROOM = 0.3;
 
-/** Of a model whose text is not here, or that was edited by hand. */
+/** Of a model whose text is not here, or cannot take what was edited by hand; told so much after the last edit (ms). */
+const TOLD = 300;
 const LOST = "A change here writes the model anew, with numbers alone: without its parameters, requirements and comments.";
 
 /** What a motion is called, and what the two numbers are that it takes. */
@@ -87,9 +89,9 @@ export class PartPanel {
     viewport.world.append(this.#drawn);
     this.#follow(this.#outline, () => this.#part.at, (to) => this.#moveTo(to));
     this.#follow(this.#pin, () => this.#place ?? at, (to) => this.#setPlace(to));
+    const tellLost = unhurried(() => editor?.model().then(({ isWhole }) => say(this.#lost, isWhole ? "" : LOST), () => {}), TOLD);
     session.store.subscribe((changed, { making }) => {
-      const isLost = editor && (!session.scene.source?.design || editor.edits.parts.length > 0);
-      if (changed.has("parts")) say(this.#lost, isLost ? LOST : "");
+      if (making && (changed.has("parts") || changed.has("making"))) tellLost();
       if (!changed.has("making")) return;
       byId("making").hidden = !making;
       set(this.#drawn, { visibility: making ? null : "hidden" });
@@ -238,9 +240,9 @@ export class PartPanel {
   /** Shows the model with a change of its text. */
   #change(by: (text: string) => string): void {
     const { name, unit, source, parts } = this.session.scene;
-    const file = source?.design?.file ?? fileName(name, "toml");
+    const file = source?.design?.file.replace(/\.json$/i, ".toml") ?? fileName(name, "toml");
     const changed = async () => {
-      const text = this.editor ? await this.editor.model() : `name = ${JSON.stringify(name)}\n${unit ? `unit = ${JSON.stringify(unit)}\n` : ""}`;
+      const text = this.editor ? (await this.editor.model()).text : `name = ${JSON.stringify(name)}\n${unit ? `unit = ${JSON.stringify(unit)}\n` : ""}`;
       const to = by(text);
       // A file has one part at least.
       if (parts.length === 1 && !to.includes("[[part]]")) await showScene(sceneOf(Model.blank(name, unit)), true);

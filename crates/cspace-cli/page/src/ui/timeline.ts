@@ -31,7 +31,7 @@ export class Timeline {
   readonly #trace: HTMLButtonElement;
   readonly #text = html("output", { class: "time-text" });
   readonly #choice = html("select", { "aria-label": "Record" });
-  readonly #again = html("button", { type: "button", hidden: "" });
+  readonly #again = html("button", { type: "button", class: "again", hidden: "" });
   readonly #records = new Map<PlayableRecord, Origin>();
   #last = 0;
 

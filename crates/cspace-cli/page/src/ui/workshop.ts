@@ -98,6 +98,12 @@ export interface MechanismDrag {
   state: number[] | null;
 }
 
+/** A model as TOML, and whether it has all that its file has beside what is edited: not only numbers. */
+export interface ModelText {
+  text: string;
+  isWhole: boolean;
+}
+
 export type Request = { id: number } & Question;
 
 export interface Answer {
@@ -185,8 +191,8 @@ export class Workshop {
     return { ...answer, pair: { ...answer.pair, own: true } };
   }
 
-  model(edits: Edits): Promise<string> {
-    return this.#ask({ what: "toml", edits: JSON.stringify(edits) });
+  async model(edits: Edits): Promise<ModelText> {
+    return JSON.parse(await this.#ask({ what: "toml", edits: JSON.stringify(edits) })) as ModelText;
   }
 
   /** What `cspace plan --json` prints. */

@@ -1,6 +1,7 @@
 /** That everything on the page can be reached at every size, and what is said over its views. */
 
 import assert from "node:assert/strict";
+import { readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { describe, it } from "node:test";
 import type { Page } from "puppeteer-core";
@@ -63,6 +64,28 @@ describe("the page at every size", { skip: skip || long }, () => {
       const cut = await page.$eval("#verdict", (e) => [e, ...e.children].some((x) => x.scrollHeight > x.clientHeight + 1 && getComputedStyle(x).display !== "contents"));
       assert.equal(cut, false, `${size.width}: the verdict is cut`);
       assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= size.width);
+    }
+  });
+
+  it("has its tools in one row, that of the record in another, however long the title is", async () => {
+    const [titled, record] = ["titled.toml", "run.json"].map((name) => join(suite.folder, name)) as [string, string];
+    writeFileSync(titled, readFileSync(model("geneva"), "utf8").replace(/^name = .*$/m, 'name = "A Geneva drive whose title is longer than any bar has room for beside its tools"'));
+    run(["simulate", titled, "--time", "2", "-o", record]);
+    const file = addressOf(exported(titled, suite.folder, ["--with", record]));
+    for (const size of [...SIZES, { width: 830, height: 700 }]) {
+      suite.opened = await load(suite.browser, file, size);
+      const { page } = suite.opened;
+      await drawn(page);
+      const rows = (selector: string): Promise<number> => page.$$eval(selector, (all) => new Set(all.map((e) => e.getBoundingClientRect()).filter((r) => r.width > 0).map((r) => Math.round((r.top + r.bottom) / 2 / 4))).size);
+      assert.deepEqual([await rows("#tools button"), await rows("#timeline > :is(button, select)")], [1, 1], `${size.width}`);
+      assert.ok((await page.$eval("#bar", (e) => e.clientHeight)) < 80, `${size.width}`);
+      assert.deepEqual(await covered(page, "#tools button, #timeline button"), [], `${size.width}`);
+      assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= size.width, `${size.width}`);
+      // What is beyond the edge is announced by a fade.
+      const isFading = await page.$eval("#tools", (e) => getComputedStyle(e).maskImage.includes("gradient"));
+      assert.ok(isFading, `${size.width}`);
+      await page.close();
+      suite.opened = null;
     }
   });
 

@@ -389,6 +389,9 @@ describe("the page in a browser", { skip }, () => {
       await press(page, "Save model");
       const saved = await downloaded(join(suite.folder, readdirToml()));
       assert.notEqual(run(["compute", saved]), run(["compute", model("ball_in_c")]));
+      // What was not edited is as it was written: all above the outlines.
+      const [written, asWas] = [saved, model("ball_in_c")].map((file) => readFileSync(file, "utf8").split("loops")[0] ?? "") as [string, string];
+      assert.ok(asWas.includes("# Ball of diameter 20") && written === asWas, written);
       // The page and the command agree on the edited model.
       const pair = (await page.evaluate(() => window.cspace.pair())).join();
       for (let k = 0; k < 40; k++) {
