@@ -310,8 +310,8 @@ impl Opened {
         ScenePair::unknown(pair, class, fixed, moving)
     }
 
-    /// Edited model as TOML that is read back unchanged: the text of its file with other values, and numbers for outlines that were edited.
-    /// Of a text that is not here, is no TOML, or would be another model, only numbers, and false.
+    /// Edited model as TOML that is read back unchanged, and whether it is the text of its file, with other values, and numbers for outlines
+    /// that were edited. It is only numbers where that text is not here, is no TOML, or would be another model.
     ///
     /// # Errors
     /// If the edit is invalid, or the written model is refused by the reader.

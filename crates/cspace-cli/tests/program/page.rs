@@ -384,7 +384,7 @@ fn it_is_served_until_it_is_interrupted() {
         saved,
     ]);
     for (file, parts, pairs) in [
-        (Some(mechanism().as_str()), 4, 6),
+        (Some(mechanism().as_str()), 5, 6),
         (Some(saved), 2, 1),
         (None, 0, 0),
     ] {
