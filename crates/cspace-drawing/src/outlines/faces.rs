@@ -51,8 +51,9 @@ pub struct DrawnFaces {
 /// Faces of the drawing.
 struct Divided {
     faces: arrange::Faces,
-    /// The entity of each edge.
+    /// The entity of each edge, and its curve.
     entities: Vec<u32>,
+    of: Vec<usize>,
     /// The curves; see [`DrawnFaces::curves`].
     curves: Vec<Vec<Vertex>>,
 }
@@ -63,7 +64,7 @@ impl Making<'_> {
         let open = core::mem::take(&mut self.joined.open);
         let closed = core::mem::take(&mut self.joined.loops);
         let mut edges: Vec<Edge> = Vec::new();
-        let mut entities = Vec::new();
+        let (mut entities, mut of) = (Vec::new(), Vec::new());
         let mut curves = Vec::new();
         let chains =
             (closed.into_iter().map(|c| (c, false))).chain(open.into_iter().map(closed_by_a_line));
@@ -81,6 +82,7 @@ impl Making<'_> {
                 let (from, to) = (outline.vertices[i], outline.vertices[(i + 1) % n]);
                 edges.push(edge(from.point(), to.point(), from.bulge));
                 entities.push(outline.entities[i]);
+                of.push(curves.len());
             }
             let mut curve = outline.vertices;
             if !has_closing_line {
@@ -97,6 +99,7 @@ impl Making<'_> {
         Ok(Divided {
             faces: arrange::Faces::of(arrangement),
             entities,
+            of,
             curves,
         })
     }
@@ -129,17 +132,26 @@ impl Making<'_> {
         })
     }
 
-    /// The problems of entities that bound no face.
+    /// The problems of open curves that bound no face, and of what else bounds none.
     fn dropped(&self, divided: &Divided) -> Vec<Problem> {
         let faces = &divided.faces;
         let all = (0..faces.faces.len()).flat_map(|face| around(faces, face));
-        let bounding: HashSet<OriginKey> = (all.flatten())
-            .map(|e| divided.entities[e.edge as usize])
-            .map(|entity| key(&self.drawing.entities[entity as usize].origin))
-            .collect();
+        let edges: Vec<usize> = all.flatten().map(|e| e.edge as usize).collect();
+        let curves: HashSet<usize> = edges.iter().map(|&e| divided.of[e]).collect();
+        let origin = |e: &usize| key(&self.drawing.entities[divided.entities[*e] as usize].origin);
+        let origins: HashSet<OriginKey> = edges.iter().map(origin).collect();
         let bounds_none = |problem: &&Problem| {
-            let mut origins = core::iter::once(&problem.origin).chain(&problem.with);
-            origins.all(|origin| !bounding.contains(&key(origin)))
+            let ends = (problem.at, problem.to);
+            let is_it = |curve: &Vec<Vertex>| {
+                let [a, b] = [curve.first(), curve.last()].map(|v| v.map(|v| v.point()));
+                ends.1.is_some() && (ends == (a, b) || ends == (b, a))
+            };
+            match divided.curves.iter().position(is_it) {
+                Some(curve) => !curves.contains(&curve),
+                None => core::iter::once(&problem.origin)
+                    .chain(&problem.with)
+                    .all(|origin| !origins.contains(&key(origin))),
+            }
         };
         self.told.iter().filter(bounds_none).cloned().collect()
     }

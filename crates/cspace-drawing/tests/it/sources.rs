@@ -225,6 +225,34 @@ fn spikes_are_taken_off_and_listed() {
     }
 }
 
+/// An outline with a gap bounds no face, and is told; lines that end freely beyond the faces that they bound are not.
+#[test]
+fn what_is_open_and_bounds_no_face_is_told() {
+    let frame = "M-1 0H11M-1 10H11M0 -1V11M10 -1V11";
+    let open = "M20 0H30V10H20V0.2";
+    let dropped = |d: &str, join: Option<f64>| {
+        let drawing = strokes(&path(d));
+        let settings = Settings {
+            join,
+            ..Settings::default()
+        };
+        let faces = drawing.reading(&settings).unwrap().faces().unwrap();
+        (faces.count, faces.dropped)
+    };
+    assert_eq!(dropped(frame, None), (1, Vec::new()));
+    let (count, problems) = dropped(&format!("{frame}{open}"), None);
+    assert_eq!((count, problems.len()), (1, 1));
+    assert_eq!(problems[0].to.map(|p| p.x), Some(20.0));
+    let told = "its ends are 0.2 from the nearest other ones";
+    assert!(problems[0].reason.contains(told), "{}", problems[0].reason);
+    assert_eq!(
+        dropped(&format!("{frame}{open}"), Some(0.25)),
+        (2, Vec::new())
+    );
+    // A line across closes it, too.
+    assert_eq!(dropped("M0 0H10V10H0V1M-1 0.5H11M0 0V1", None).0, 2);
+}
+
 /// Faces between a half disc and the disc in it, which touches both of its sides, have two cusps each.
 #[test]
 fn a_picked_face_may_have_cusps() {
