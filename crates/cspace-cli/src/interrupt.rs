@@ -31,6 +31,7 @@ pub(crate) fn is_interrupted() -> bool {
 
 /// From here on the work has no end but an interrupt, which is none that failed.
 pub(crate) fn until_interrupted() {
+    catch_interrupts();
     ENDLESS.store(true, Ordering::Relaxed);
 }
 
