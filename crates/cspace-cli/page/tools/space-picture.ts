@@ -18,6 +18,8 @@ export async function spaceOf(browser: Browser, page_file: string): Promise<{ pi
     throw new Error(faults.join("; "));
   }
   await page.addStyleTag({ content: SIZES });
+  // What is drawn follows in the next frame.
+  await page.evaluate(() => new Promise<void>((done) => requestAnimationFrame(() => requestAnimationFrame(() => done()))));
   // The page can be used before its surface is complete.
   await page.waitForFunction(() => document.querySelector<HTMLElement>("#building")?.hidden ?? true, { timeout: PATIENCE });
   const pair = (await page.evaluate("window.cspace.pair()")) as [string, string];
