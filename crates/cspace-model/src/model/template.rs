@@ -291,7 +291,7 @@ impl Template {
     /// let template = Template::from_text(text.to_owned(), "pin.toml")?;
     /// let mut drawn = from_toml(text, "pin.toml")?;
     /// drawn.name = "pin".to_owned();
-    /// drawn.parts[0].part = Part::polygon("pin", [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)])?;
+    /// drawn.parts[0].part = Part::polygon("pin", &[(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)])?;
     /// let text = template.text_of(&[], &[0], &drawn).unwrap_or_default();
     /// assert!(text.starts_with("# A pin.\n[[part]]\nname = \"pin\" # of steel\nloops = [\n"), "{text}");
     /// # Ok::<(), Box<dyn std::error::Error>>(())
