@@ -114,7 +114,7 @@ front, frame, driver and link, and wheel and pawl lie in layers of their own; pi
 for them.
 """,
     )
-    m.show("Can the pawl be lifted off the wheel?", ("ratchet", "pawl"))
+    m.show("Can the pawl be lifted off the ratchet?", ("ratchet", "pawl"))
     m.part("frame", "Stands still.", [("post and foot", frame)], '{ type = "fixed" }')
     m.part("driver", "On the frame's lower bearing.", [(f"eccentric, diameter {2 * disc:g}", driver)],
            '{ type = "revolute", center = [0, -100] }')
@@ -277,7 +277,7 @@ across, its stem 12.
 The cam has its axis at the origin and its dwell on top; the tappet has its origin where its axis meets the face, its stem
 up. At (x, y, theta) = (0, 34, 0) the tappet stands on the dwell; turned and shifted it may go anywhere about the cam.
 """)
-    m.show("Can the follower be lifted off the cam?")
+    m.show("Can the follower be taken off the cam?")
     m.world(gravity=(0, -GRAVITY), friction=0.05, restitution=0.2)
     m.part("cam", "Axis at the origin, dwell to +y.", [("profile", cam)], keys=[
         "mass = 2 # with its shaft and flywheel", "inertia = 2000", "rate = [0, 0, 31.4]"])

@@ -149,7 +149,7 @@ Drawn with the claw drawn back. To be seen: at each turn the finger enters a hol
 where it always leaves it, so each turn moves the film by {PITCH:g}, and it stands still for more than half of the turn, which is when
 light falls through it. The shutter turns with the crank. The gate holds the film by friction, so it stays where the claw left it.
 """)
-    m.show("Can the claw go into a hole of the film and out again?", ("film", "claw"))
+    m.show("Can the claw be pulled out of the film?", ("film", "claw"))
     m.part("film", "Slides down the gate.", pieces, '{ type = "prismatic", direction = [0, -1] }')
     m.part("crank", "The throw is drawn as a disc.", [("disc", circle(shaft, throw + 3.0))], revolute(shaft))
     m.part("claw", "Tip to -x.", [("outline", claw)])

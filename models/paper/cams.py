@@ -35,7 +35,7 @@ axis, the face stands at 8 + 24 cos u while it is on the nose, up to u = {side:g
 
 The follower's origin is in the middle of its face: (x, y, theta) = (0, 32, 0) is the full lift.
 """)
-    m.show("Can the follower be lifted off the cam?")
+    m.show("Can the follower be taken off the cam?")
     m.world(gravity=(0, -GRAVITY), friction=0.05, restitution=0.2)
     m.part("cam", "Axis at the origin, nose to +y.", [("profile", plate)], keys=[
         "mass = 2 # with its shaft and flywheel", "inertia = 2000", "rate = [0, 0, 31.4]"])

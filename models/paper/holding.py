@@ -47,7 +47,7 @@ place and one direction. The pads are ground square, 12 x 12; the workpiece is a
 
 At (x, y, theta) = (0, 0, 0) the workpiece lies on all three pads.
 """)
-    m.show("Do the pads alone hold the workpiece?")
+    m.show("Does the fixture alone hold the workpiece?")
     m.world(friction=0.15, restitution=0.3)
     m.part("fixture", "Pads that stand apart; the plate that carries them is not in this plane.", pads, keys=["mass = 10", "inertia = 20000"])
     m.part("workpiece", "The located corner is the origin.", [("outline", work)], keys=[STEEL, placed(5, 8, 5)])

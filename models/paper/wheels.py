@@ -65,7 +65,7 @@ clockwise the face of a tooth meets the pawl's nose and locks. The pawl has a ta
 The pawl's frame has its origin in the pivot, which stands at (42, 56) from the wheel's axis: at (x, y, theta) = (42, 56, 0)
 the pawl is engaged, 0.05 clear of the face of the tooth at the top.
 """)
-    m.show("Can the pawl be lifted off the wheel?")
+    m.show("Can the pawl be lifted off the ratchet?")
     m.world(restitution=0.3)
     m.part("ratchet", "Axis at the origin; tooth 1 has its tip on the x axis.", [(f"{teeth} teeth", ratchet)], symmetry=teeth,
            keys=["mass = 2 # with its drum", "inertia = 3000", "rate = [0, 0, 4]"])

@@ -134,7 +134,7 @@ export function details(told: Told, play: readonly Way[]): string[] {
     const slides = play.filter((w) => w.coordinate !== "theta").map((w) => `${rounded(w, unit)} along ${w.coordinate}`);
     lines.push(`Play from here: ${slides.join(", ")}${turn ? `; without shifting it ${moves(turn, unit)}` : ""}.`);
   }
-  if (told.displaced) lines.push("As they are drawn they overlap: they are shown beside each other.");
+  if (told.displaced) lines.push("As they are drawn they overlap: they are shown where they do not.");
   if (told.others && !told.whole) lines.push("Only these two parts count here: the others are left out.");
   return lines;
 }
