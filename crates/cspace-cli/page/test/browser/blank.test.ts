@@ -7,7 +7,7 @@ import { describe, it } from "node:test";
 import type { Page } from "puppeteer-core";
 import { PATIENCE, addressOf, drawn, exported, load, long, open, serve, skip } from "../../tools/harness.js";
 import { run } from "../support/command.js";
-import { downloaded, inBrowser, model, press, settled } from "./support.js";
+import { button, click, downloaded, inBrowser, model, press, settled } from "./support.js";
 
 describe("a model from nothing in a browser", { skip }, () => {
   const suite = inBrowser();
@@ -23,7 +23,7 @@ describe("a model from nothing in a browser", { skip }, () => {
   const wrong = (page: Page): Promise<string> => page.$eval("#making .bad", (e) => e.textContent ?? "");
 
   /** Clicks a button after which the page is loaded again. */
-  const leave = (page: Page, text: string): Promise<void> => page.click(`::-p-xpath(//button[normalize-space()="${text}"])`);
+  const leave = (page: Page, text: string): Promise<void> => click(page, button(text));
 
   /** Types into the field of a label. */
   async function type(page: Page, label: string, text: string): Promise<void> {
@@ -121,7 +121,7 @@ describe("a model from nothing in a browser", { skip }, () => {
     await undo(page, true);
     await shows(page, 2);
     await press(page, "Parts");
-    await page.click("::-p-xpath(//button[@title='Remove part 1'])");
+    await click(page, "::-p-xpath(//button[@title='Remove part 1'])");
     await shows(page, 1);
     assert.deepEqual(await page.$$eval("#design .parameter b", (all) => all.map((e) => e.textContent)), ["length_2", "width_2"]);
   });

@@ -7,7 +7,7 @@ import { describe, it } from "node:test";
 import type { Page } from "puppeteer-core";
 import { PATIENCE, addressOf, exported, long, open, skip } from "../../tools/harness.js";
 import { run } from "../support/command.js";
-import { downloaded, inBrowser, model, press, settled } from "./support.js";
+import { click, downloaded, inBrowser, model, press, settled } from "./support.js";
 
 describe("a page on which things are changed and compared", { skip }, () => {
   const suite = inBrowser();
@@ -72,7 +72,7 @@ describe("a page on which things are changed and compared", { skip }, () => {
   it("plays a parameter from end to end, which is one change", { skip: long }, async () => {
     const page = await latch();
     const seen = new Set<number>();
-    await page.click('#design button[title="Play mouth from end to end"]');
+    await click(page, '#design button[title="Play mouth from end to end"]');
     while (await page.$('::-p-xpath(//div[@id="design"]//button[normalize-space()="❚❚"] | //section[@id="design"]//button[normalize-space()="❚❚"])')) {
       seen.add(await valueOf(page, "mouth"));
       await settled(page);

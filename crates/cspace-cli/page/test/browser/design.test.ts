@@ -7,7 +7,7 @@ import { describe, it } from "node:test";
 import type { Page } from "puppeteer-core";
 import { PATIENCE, addressOf, exported, open, skip } from "../../tools/harness.js";
 import { run } from "../support/command.js";
-import { downloaded, inBrowser, model, press } from "./support.js";
+import { click, downloaded, inBrowser, model, press, resting } from "./support.js";
 
 interface Row {
   name: string;
@@ -113,8 +113,9 @@ describe("a page sets the parameters of its model", { skip }, () => {
     const page = await openFile("shift_interlock");
     await press(page, "Edit");
     // Only the plunger's length may change.
-    for (const name of ["depth", "gap", "travel"]) await page.click(`#design input[type=checkbox][aria-label^="${name} "]`);
+    for (const name of ["depth", "gap", "travel"]) await click(page, `#design input[type=checkbox][aria-label^="${name} "]`);
     // The plunger on the rail away from its notch: v = -0.95, and goes with half of the length.
+    await resting(page, "#plane svg .curve");
     const at = await page.evaluate(() => {
       const matrix = (document.querySelector("#plane svg .curve") as SVGGraphicsElement).getScreenCTM();
       if (!matrix) throw new Error("the plane is not drawn");

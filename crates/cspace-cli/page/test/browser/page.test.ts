@@ -23,7 +23,7 @@ import {
 } from "../../tools/harness.js";
 import { run } from "../support/command.js";
 import { spaceOf } from "../../tools/space-picture.js";
-import { downloaded, inBrowser, model, press, settled } from "./support.js";
+import { click, downloaded, inBrowser, model, press, settled } from "./support.js";
 
 /** A page without its data has fewer bytes. */
 const LARGEST_PAGE = 3.4e6;
@@ -223,14 +223,14 @@ describe("the page in a browser", { skip }, () => {
   it("hides regions, and colours patches by kind", async () => {
     const page = await openModel("fixture_plate", [], "#view=space");
     const first = await pictureOf(page, "#space canvas");
-    await page.click("#legend input[type=checkbox]");
+    await click(page, "#legend input[type=checkbox]");
     await settled(page);
     const hidden = await pictureOf(page, "#space canvas");
     assert.ok(difference(first, hidden) > 0.01);
-    await page.click("#legend input[type=checkbox]");
+    await click(page, "#legend input[type=checkbox]");
     await settled(page);
     assert.ok(difference(first, await pictureOf(page, "#space canvas")) < 0.002);
-    await page.click("#details summary");
+    await click(page, "#details summary");
     await press(page, "Kinds");
     assert.ok(difference(first, await pictureOf(page, "#space canvas")) > 0.01);
     assert.match(await page.$eval("#legend", (e) => e.textContent ?? ""), /arc/);

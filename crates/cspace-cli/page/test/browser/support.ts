@@ -43,10 +43,19 @@ export function settled(page: Page): Promise<void> {
   return page.evaluate(() => new Promise<void>((done) => requestAnimationFrame(() => requestAnimationFrame(() => done()))));
 }
 
-/** Clicks the button with a text, once it stays where it is. */
+/** The button with a text. */
+export const button = (text: string): string => `::-p-xpath(//button[normalize-space()="${text}"])`;
+
+/** Clicks the button with a text, once it stays where it is, and waits until the page has drawn what comes of it. */
 export async function press(page: Page, text: string): Promise<void> {
-  await page.locator(`::-p-xpath(//button[normalize-space()="${text}"])`).setTimeout(PATIENCE).click();
+  await page.locator(button(text)).setTimeout(PATIENCE).click();
   await settled(page);
+}
+
+/** Clicks an element in the side panel, where answers that come later move what is below them. */
+export async function click(page: Page, selector: string): Promise<void> {
+  await resting(page, selector);
+  await page.click(selector);
 }
 
 /** Drops a file onto the page. */

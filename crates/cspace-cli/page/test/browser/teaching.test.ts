@@ -8,7 +8,7 @@ import type { Page } from "puppeteer-core";
 import type { PlanarConfiguration } from "../../src/kernel/api.js";
 import { PATIENCE, addressOf, exported, load, drawn, long, open, serve, skip } from "../../tools/harness.js";
 import { run } from "../support/command.js";
-import { inBrowser, model, press, resting, settled } from "./support.js";
+import { click, inBrowser, model, press, resting, settled } from "./support.js";
 
 /** The lens, and the play that is told, follow after so long (ms). */
 const PAUSE = 400;
@@ -51,7 +51,7 @@ describe("the page that tells", { skip }, () => {
     const lens = (): Promise<string | null> => page.$eval("#slice .lens", (e) => e.getAttribute("visibility"));
     assert.equal(await lens(), null);
     assert.match(await textOf(page, "#slice .lens-text"), /^0\.\d+ mm wide$/);
-    await page.click('#legend [aria-label="Fit to pocket 1"]');
+    await click(page, '#legend [aria-label="Fit to pocket 1"]');
     await paused();
     assert.equal(await lens(), "hidden");
     const width = await page.$$eval("#slice .curve", (all) => Math.max(...all.map((e) => e.getBoundingClientRect().width)));
@@ -142,7 +142,7 @@ describe("the page that tells", { skip }, () => {
   it("gives hints until they are dismissed", { skip: long }, async () => {
     const page = await openModel(model("knee"));
     assert.equal(await page.$eval("#hints", (e) => (e as HTMLElement).hidden), false);
-    await page.click("#hints button");
+    await click(page, "#hints button");
     assert.equal(await page.$eval("#hints", (e) => (e as HTMLElement).hidden), true);
   });
 
