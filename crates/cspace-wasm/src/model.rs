@@ -151,15 +151,9 @@ impl Model {
         json(&answer.map_err(fault)?)
     }
 
-    /// The edited model, as TOML: the text of its file with what is edited.
+    /// The edited model as TOML, and whether that has all that its file has beside what is edited, not only numbers: as JSON.
     pub fn toml(&self, edits: &str) -> Result<String, JsError> {
-        Ok(self.opened.edited_text(&parsed(edits)?).map_err(fault)?.0)
-    }
-
-    /// Whether that text has all that the file has beside what is edited: not only numbers.
-    #[wasm_bindgen(js_name = keepsText)]
-    pub fn keeps_text(&self, edits: &str) -> Result<bool, JsError> {
-        Ok(self.opened.edited_text(&parsed(edits)?).map_err(fault)?.1)
+        json(&self.opened.edited_text(&parsed(edits)?).map_err(fault)?)
     }
 
     /// Answer of `cspace check --json` for the edited model.

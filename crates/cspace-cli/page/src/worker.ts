@@ -3,7 +3,7 @@
 import { Hand, Model } from "../build/kernel/cspace.js";
 import type { Scene, SceneSource } from "./scene.js";
 import { use } from "./kernel/load.js";
-import type { Answer, MechanismDrag, ModelText, Request, Start } from "./ui/workshop.js";
+import type { Answer, MechanismDrag, Request, Start } from "./ui/workshop.js";
 
 /** What the worker knows once it has begun. */
 interface Known {
@@ -40,7 +40,7 @@ function done(known: Known, asked: Request): string {
     case "edit":
       return known.hasPairs ? model.edit(asked.pair, asked.edits) : edited(model.toml(asked.edits));
     case "toml":
-      return JSON.stringify({ text: model.toml(asked.edits), isWhole: model.keepsText(asked.edits) } satisfies ModelText);
+      return model.toml(asked.edits);
     case "plan":
       return model.plan(asked.pair, asked.edits, Float64Array.from(asked.from), Float64Array.from(asked.to), asked.widest);
     case "simulate":
@@ -61,7 +61,8 @@ function done(known: Known, asked: Request): string {
 }
 
 /** The answer to an edit of a model without pairs. */
-function edited(text: string): string {
+function edited(toml: string): string {
+  const [text] = JSON.parse(toml) as [string, boolean];
   const model = Model.read(text, "the model of this page");
   const { parts, design } = JSON.parse(model.scene()) as Scene;
   model.free();

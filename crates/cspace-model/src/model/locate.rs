@@ -64,8 +64,7 @@ pub(super) fn parameter_in_toml(text: &str, name: &str) -> Option<Range<usize>> 
     span
 }
 
-/// Byte ranges in TOML text of what the keys of a part say: values of `loops` and `motion`, and all of the line of `place`. `None` if there
-/// is no such part.
+/// Keys of a part in TOML text, with the byte ranges of their values; of `place` the range is all of its line. `None` if there is no such part.
 pub(super) fn part_keys_in_toml(text: &str, name: &str) -> Option<Vec<(String, Range<usize>)>> {
     let root = DeTable::parse(text).ok()?;
     let parts = root.get_ref().get("part")?.get_ref().as_array()?;

@@ -192,7 +192,8 @@ export class Workshop {
   }
 
   async model(edits: Edits): Promise<ModelText> {
-    return JSON.parse(await this.#ask({ what: "toml", edits: JSON.stringify(edits) })) as ModelText;
+    const [text, isWhole] = JSON.parse(await this.#ask({ what: "toml", edits: JSON.stringify(edits) })) as [string, boolean];
+    return { text, isWhole };
   }
 
   /** What `cspace plan --json` prints. */
